@@ -1,0 +1,1 @@
+#include <stickslip/solid/space_time_function.h>

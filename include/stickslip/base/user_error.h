@@ -1,0 +1,23 @@
+#ifndef stickslip_base_user_error_h
+#define stickslip_base_user_error_h
+
+#include <stdexcept>
+#include <string>
+
+namespace stickslip
+{
+  /**
+   * An input that cannot be run. The text names the parameter (as
+   * "Section/Name"), what was found and what is allowed; main() prints it once
+   * and every rank exits with status 1. Throw it on all ranks or on none.
+   */
+  class UserError : public std::runtime_error
+  {
+  public:
+    explicit UserError(const std::string &text)
+      : std::runtime_error(text)
+    {}
+  };
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,22 @@
+#ifndef stickslip_contact_contact_scales_h
+#define stickslip_contact_contact_scales_h
+
+#include <stickslip/contact/contact_assembler.h>
+
+namespace stickslip
+{
+  /**
+   * Renews the six regularization parameters of all points from the stiffness
+   * of both sides and the present pressures. With the automatic scale they do
+   * not depend on units or mesh: r_n = f_n k and r_t = f_t k / s with
+   * k = 1/(h_s/M_s + h_m/M_m) and s the friction threshold at the point, at
+   * least a hundredth of the largest one. They are constants for one Newton
+   * iteration and change nothing in the solution (formulation 3.3), so they
+   * may follow the pressure. Collective.
+   */
+  template <int dim>
+  void
+  update_contact_scales(ContactAssembler<dim> &contact);
+} // namespace stickslip
+
+#endif

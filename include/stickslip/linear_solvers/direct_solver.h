@@ -1,0 +1,57 @@
+#ifndef stickslip_linear_solvers_direct_solver_h
+#define stickslip_linear_solvers_direct_solver_h
+
+#include <stickslip/linear_solvers/linear_solver.h>
+
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/trilinos_solver.h>
+
+#include <memory>
+
+namespace stickslip
+{
+  /**
+   * MUMPS through Amesos on the whole system. The blocks are copied into one
+   * matrix whose rows are, on every rank, its displacements followed by its
+   * multipliers.
+   */
+  class DirectSolver : public LinearSolver
+  {
+  public:
+    DirectSolver();
+
+    void
+    setup(const LA::BlockSparseMatrix &matrix) override;
+
+    unsigned int
+    solve(LA::BlockVector &x, const LA::BlockVector &b) override;
+
+  private:
+    /// Where a rank's rows of each block start in the merged numbering.
+    struct MergedNumbering
+    {
+      std::vector<std::vector<types::global_dof_index>>
+        block_starts; ///< [block][rank]
+      std::vector<std::vector<types::global_dof_index>> merged_starts;
+
+      types::global_dof_index
+      operator()(const unsigned int            block,
+                 const types::global_dof_index i) const;
+    };
+
+    SolverControl                                   control;
+    LA::SparseMatrix                                merged;
+    MergedNumbering                                 numbering;
+    std::unique_ptr<TrilinosWrappers::SolverDirect> factorization;
+
+    void
+    number_rows(const LA::BlockSparseMatrix &matrix,
+                const MPI_Comm              &communicator);
+
+    void
+    copy_blocks(const LA::BlockSparseMatrix &matrix,
+                const MPI_Comm              &communicator);
+  };
+} // namespace stickslip
+
+#endif

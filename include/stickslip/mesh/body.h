@@ -1,0 +1,83 @@
+#ifndef stickslip_mesh_body_h
+#define stickslip_mesh_body_h
+
+#include <stickslip/base/types.h>
+
+#include <deal.II/base/types.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace stickslip
+{
+  /// One deformable or rigid body. Its index is its place in the input file.
+  struct Body
+  {
+    std::string name;
+    bool        is_rigid = false; ///< all its displacements are prescribed
+    /// The ids of the input file ("body-local"), only those with faces.
+    std::set<types::boundary_id> boundary_ids;
+  };
+
+  /// Cells of one body with one material: what cell->material_id() points to.
+  struct Region
+  {
+    unsigned int body;
+    std::string  material; ///< may be empty for a rigid body
+  };
+
+  /**
+   * The bodies of the joined triangulation and the meaning of its ids:
+   * cell->material_id() is an index into `regions`, and face->boundary_id() is
+   * a "global" id, unique over the bodies, so that body 'punch' and body
+   * 'block' can both have a boundary 3. Identical on all ranks.
+   */
+  class Bodies
+  {
+  public:
+    std::vector<Body>   bodies;
+    std::vector<Region> regions;
+
+    /// Index of the body @p name. Throws UserError (with the known names) that
+    /// blames the parameter @p parameter_path.
+    unsigned int
+    index_of(const std::string &name, const std::string &parameter_path) const;
+
+    /// The triangulation's id of the boundary @p local of body @p body. The id
+    /// must exist.
+    types::boundary_id
+    global_boundary_id(const unsigned int       body,
+                       const types::boundary_id local) const;
+
+    /// The triangulation's ids of several boundaries of a body given by name.
+    /// Throws UserError if there is no such body, if @p local_ids is empty or
+    /// if an id marks no face.
+    std::set<types::boundary_id>
+    global_boundary_ids(const std::string               &body,
+                        const std::vector<unsigned int> &local_ids,
+                        const std::string               &parameter_path) const;
+
+    /// The body that owns the triangulation's boundary id @p global.
+    unsigned int
+    body_of_boundary(const types::boundary_id global) const;
+
+    /// The user's id of the triangulation's boundary id @p global.
+    types::boundary_id
+    local_boundary_id(const types::boundary_id global) const;
+
+    unsigned int
+    body_of(const types::material_id material_id) const
+    {
+      return regions[material_id].body;
+    }
+
+    unsigned int
+    n_bodies() const
+    {
+      return bodies.size();
+    }
+  };
+} // namespace stickslip
+
+#endif

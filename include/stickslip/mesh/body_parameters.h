@@ -1,0 +1,50 @@
+#ifndef stickslip_mesh_body_parameters_h
+#define stickslip_mesh_body_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace stickslip
+{
+  using namespace dealii;
+
+  /**
+   * How one body is made: from a generator or a mesh file, then reshaped
+   * (`Coordinates`), refined, scaled, rotated and translated, in this order.
+   * After that the conditions of `Boundary ids` and `Material regions` see the
+   * final coordinates. Lengths are in the user's unit.
+   */
+  struct BodyParameters
+  {
+    std::string  generator;
+    std::string  arguments;
+    std::string  mesh_file;
+    std::string  mesh_format = "automatic";
+    std::string  coordinates; ///< expressions "fx; fy; fz"
+    unsigned int refinements = 0;
+
+    std::vector<double> scale           = {1.};
+    std::vector<double> rotation_axis   = {0., 0., 1.};
+    double              rotation_angle  = 0.; ///< degrees
+    std::vector<double> rotation_centre = {0., 0., 0.};
+    std::vector<double> translation     = {0., 0., 0.};
+
+    std::string boundary_ids;     ///< "id: condition; id: condition"
+    std::string material;         ///< name of a section of Materials
+    std::string material_regions; ///< "name: condition; name: condition"
+    bool        is_rigid        = false;
+    bool        keeps_manifolds = true;
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /// Throws UserError for what is wrong in any dimension; @p path is the
+    /// body's subsection, e.g. "Bodies/punch".
+    void
+    check(const std::string &path) const;
+  };
+} // namespace stickslip
+
+#endif

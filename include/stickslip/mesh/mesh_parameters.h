@@ -1,0 +1,49 @@
+#ifndef stickslip_mesh_mesh_parameters_h
+#define stickslip_mesh_mesh_parameters_h
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/types.h>
+
+#include <string>
+
+namespace stickslip
+{
+  using namespace dealii;
+
+  /// What concerns the joined triangulation of all bodies.
+  struct MeshParameters
+  {
+    std::string  partitioner        = "p4est"; ///< or "METIS"
+    unsigned int global_refinements = 0;
+
+    /// Where relative mesh file names are looked for first (set by the caller,
+    /// usually the directory of the .prm file); then the working directory.
+    std::string input_directory;
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    void
+    check(const std::string &path) const;
+  };
+
+  /// The wish that two opposite boundaries of a body be identified.
+  struct PeriodicRequest
+  {
+    std::string        parameter_path; ///< for messages
+    std::string        body;
+    types::boundary_id first  = 0; ///< the user's ids
+    types::boundary_id second = 0;
+    unsigned int direction    = 0; ///< the faces differ by a shift in x, y, z
+  };
+
+  /// The same with the triangulation's boundary ids.
+  struct PeriodicBoundary
+  {
+    types::boundary_id first;
+    types::boundary_id second;
+    unsigned int       direction;
+  };
+} // namespace stickslip
+
+#endif

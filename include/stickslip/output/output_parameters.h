@@ -1,0 +1,70 @@
+#ifndef stickslip_output_output_parameters_h
+#define stickslip_output_output_parameters_h
+
+#include <stickslip/base/parameter_file.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace stickslip
+{
+  using namespace dealii;
+
+  /**
+   * A point whose displacement is recorded after each step. "Body" and
+   * "Position" in the subsection Output/Points/<name>.
+   */
+  struct PointParameters
+  {
+    std::string         body;
+    std::vector<double> position; ///< in the undeformed body
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /// Throws UserError if no body is named or the position is empty.
+    void
+    check(const std::string &path) const;
+  };
+
+
+
+  /**
+   * What is written, where and how often. The section "Output".
+   */
+  struct OutputParameters
+  {
+    std::string  directory           = "results";
+    unsigned int every_n_steps       = 1;
+    std::string  format              = "vtu";
+    unsigned int grouped_files       = 1;
+    bool         higher_order_cells  = true;
+    bool         deformed            = false;
+    std::string  verbosity           = "progress";
+    unsigned int checkpoint_interval = 0;
+
+    NamedList<PointParameters> points;
+
+    /**
+     * Declares all parameters but the points, whose names the parameter file
+     * must have given to the list before (ParameterFile::declare_names()).
+     */
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /// Throws UserError for values that no pattern can catch.
+    void
+    check(const std::string &path) const;
+
+    /// Fields are written for the initial state and each n-th accepted step.
+    bool
+    is_written(const unsigned int step) const
+    {
+      return step % every_n_steps == 0;
+    }
+  };
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,89 @@
+#ifndef stickslip_output_output_series_h
+#define stickslip_output_output_series_h
+
+#include <stickslip/output/output_parameters.h>
+
+#include <deal.II/base/data_out_base.h>
+#include <deal.II/base/mpi.h>
+
+#include <string>
+#include <vector>
+
+namespace stickslip
+{
+  /**
+   * The files of one kind of output ("solution", "contact") over the steps of
+   * a run: per step NAME-0001.pvtu with its pieces, and NAME.pvd that lists
+   * the steps with their times; or NAME-0001.h5 and NAME.xdmf.
+   *
+   * Each index file is replaced by renaming a complete new one, and the pieces
+   * of a step are complete before an index names them: what ParaView can open
+   * is whole, also after a crash.
+   */
+  class OutputSeries
+  {
+  public:
+    OutputSeries(const OutputParameters &parameters,
+                 const std::string      &name,
+                 const MPI_Comm          communicator);
+
+    /**
+     * Takes over the steps up to @p time from the index file of an earlier
+     * run; later ones are dropped. Collective.
+     */
+    void
+    resume(const double time);
+
+    /**
+     * Writes the patches of @p data as step @p step. Collective; throws
+     * UserError on all ranks if the files cannot be written.
+     *
+     * @p has_lagrange_hexahedra: the VTU files contain hexahedra of degree 2
+     * or more. Each rank then writes its own file, because VTK's reader, which
+     * renumbers the nodes of such cells, does so repeatedly for the parts of a
+     * file that several ranks share (VTK 9.1) and tears the cells apart.
+     */
+    template <int dim, int spacedim>
+    void
+    write(const DataOutInterface<dim, spacedim> &data,
+          const unsigned int                     step,
+          const double                           time,
+          const bool has_lagrange_hexahedra = false);
+
+  private:
+    /// What the index file says about one step.
+    struct Entry
+    {
+      double      time;
+      std::string text;
+    };
+
+    /// Returns on rank 0 what went wrong, as the other functions here.
+    template <int dim, int spacedim>
+    std::string
+    write_vtu(const DataOutInterface<dim, spacedim> &data,
+              const std::string                     &step_name,
+              const unsigned int                     n_files) const;
+
+    template <int dim, int spacedim>
+    void
+    write_hdf5(const DataOutInterface<dim, spacedim> &data,
+               const std::string                     &step_name,
+               const double                           time,
+               std::string                           &grid) const;
+
+    std::string
+    index_text() const;
+
+    const std::string  directory;
+    const std::string  name;
+    const bool         is_hdf5;
+    const unsigned int n_ranks;
+    const unsigned int n_grouped_files;
+    const MPI_Comm     communicator;
+
+    std::vector<Entry> entries; ///< on rank 0
+  };
+} // namespace stickslip
+
+#endif

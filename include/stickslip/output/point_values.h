@@ -1,0 +1,96 @@
+#ifndef stickslip_output_point_values_h
+#define stickslip_output_point_values_h
+
+#include <stickslip/base/types.h>
+#include <stickslip/mesh/body.h>
+#include <stickslip/output/output_parameters.h>
+#include <stickslip/output/statistics_table.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/mapping.h>
+
+#include <string>
+#include <vector>
+
+namespace stickslip
+{
+  /**
+   * The displacement at named points of the bodies over the steps, written
+   * into points.csv with the columns step, time, NAME_x, NAME_y(, NAME_z).
+   *
+   * A point belongs to a cell of its body (of the undeformed mesh): among the
+   * cells that contain it the one with the smallest CellId, which does not
+   * depend on the number of ranks.
+   */
+  template <int dim>
+  class PointValues
+  {
+  public:
+    PointValues(const OutputParameters &parameters,
+                const Bodies           &bodies,
+                const MPI_Comm          communicator);
+
+    /**
+     * Finds the cells of the points; to be called again when the mesh or its
+     * distribution changes. Points outside of the body, but closer than 5 %
+     * of the cell size (on a curved boundary), take the nearest place of the
+     * cell. Collective; throws UserError on all ranks if a point is not in
+     * its body or has not `dim` coordinates.
+     */
+    void
+    locate(const Mapping<dim> &mapping, const DoFHandler<dim> &dof_handler);
+
+    /**
+     * The displacements at the points, in the order of Output/Points, on all
+     * ranks. @p displacement is ghosted. Collective.
+     */
+    std::vector<Tensor<1, dim>>
+    evaluate(const DoFHandler<dim> &dof_handler,
+             const LA::Vector      &displacement) const;
+
+    /// Continues points.csv of an earlier run after @p time. Collective.
+    void
+    resume(const double time);
+
+    /// Evaluates and appends a row to points.csv. Collective.
+    void
+    write(const unsigned int     step,
+          const double           time,
+          const DoFHandler<dim> &dof_handler,
+          const LA::Vector      &displacement);
+
+  private:
+    struct NamedPoint
+    {
+      std::string  name;
+      unsigned int body;
+      Point<dim>   position;
+    };
+
+    /// Place of a point in a locally owned cell.
+    struct Location
+    {
+      typename DoFHandler<dim>::active_cell_iterator cell;
+      Point<dim>                                     unit_point;
+      /// Distance from the cell in units of its reference cell, 0 inside.
+      double distance;
+    };
+
+    Location
+    locate_locally(const NamedPoint      &point,
+                   const Mapping<dim>    &mapping,
+                   const DoFHandler<dim> &dof_handler) const;
+
+    const Bodies  &bodies;
+    const MPI_Comm communicator;
+
+    std::vector<NamedPoint> points;
+    /// Per point; the cell is valid on the one rank that owns it.
+    std::vector<Location> locations;
+
+    StatisticsTable table;
+  };
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,83 @@
+#ifndef stickslip_output_progress_h
+#define stickslip_output_progress_h
+
+#include <deal.II/base/mpi.h>
+
+#include <chrono>
+#include <iostream>
+#include <string>
+
+namespace stickslip
+{
+  /**
+   * Tells on the screen how far a run is, if Output/Verbosity is "progress":
+   * on a terminal one line per step with an estimate of the time left; in a
+   * pipe or file only a line at each tenth of the simulated time and the
+   * rejected steps. Only rank 0 speaks. Not collective.
+   */
+  class Progress
+  {
+  public:
+    Progress(const std::string &verbosity,
+             const double       start_time,
+             const double       end_time,
+             const MPI_Comm     communicator,
+             std::ostream      &out = std::cout);
+
+    /// For tests: say whether @p out is a terminal.
+    void
+    set_terminal(const bool is_terminal);
+
+    /**
+     * A step to @p time was accepted; @p iterations in words, for example
+     * "GNM, 6 Newton iterations, 214 points closed".
+     */
+    void
+    accepted_step(const unsigned int step,
+                  const double       time,
+                  const std::string &iterations);
+
+    /// A step to @p time failed because of @p reason; the next has @p step_size.
+    void
+    rejected_step(const double       time,
+                  const std::string &reason,
+                  const double       step_size);
+
+    /// The run is complete after @p n_steps steps.
+    void
+    finished(const unsigned int n_steps);
+
+    /// True on rank 0 if Output/Verbosity is "results" or "progress".
+    bool
+    prints_results() const
+    {
+      return shows_results;
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    std::string
+    time_left(const double time);
+
+    const double  start_time;
+    const double  end_time;
+    const bool    is_active;
+    const bool    shows_results;
+    bool          is_terminal;
+    std::ostream &out;
+
+    const Clock::time_point start;
+    Clock::time_point       last;
+    double                  last_time;
+    /// Wall seconds per simulated time, mean over the latest steps.
+    double       pace       = 0.;
+    unsigned int next_tenth = 1;
+  };
+
+  /// "45 s", "3 min 20 s", "2 h 05 min".
+  std::string
+  duration_in_words(const double seconds);
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,62 @@
+#ifndef stickslip_output_stress_projection_h
+#define stickslip_output_stress_projection_h
+
+#include <stickslip/base/types.h>
+#include <stickslip/output/field_output.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/mapping.h>
+
+#include <deal.II/numerics/data_component_interpretation.h>
+
+#include <string>
+#include <vector>
+
+namespace stickslip
+{
+  /// sqrt(3/2 s:s), s the deviator of @p stress.
+  double
+  von_mises_stress(const SymmetricTensor<2, 3> &stress);
+
+  /**
+   * Cauchy stress, von Mises stress and strain as one discontinuous
+   * finite element field of degree 1: the cell-wise L2 projection of values
+   * at quadrature points (over the undeformed cell). The von Mises stress is
+   * that of the projected tensor, so it is consistent with it and never
+   * negative.
+   */
+  template <int dim>
+  class StressProjection
+  {
+  public:
+    /// Collective. The triangulation of @p displacement_dof_handler is used.
+    StressProjection(const Mapping<dim>        &mapping,
+                     const DoFHandler<dim>     &displacement_dof_handler,
+                     const StressFunction<dim> &stresses);
+
+    const DoFHandler<dim> &
+    get_dof_handler() const;
+
+    /// Locally owned values, without ghosts.
+    const LA::Vector &
+    get_values() const;
+
+    static std::vector<std::string>
+    names();
+
+    static std::vector<DataComponentInterpretation::DataComponentInterpretation>
+    interpretations();
+
+  private:
+    /// All components of one node, in the order of names().
+    static std::vector<double>
+    components(const SymmetricTensor<2, 3> &stress,
+               const SymmetricTensor<2, 3> &strain);
+
+    DoFHandler<dim> dof_handler;
+    LA::Vector      values;
+  };
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,208 @@
+#ifndef stickslip_problem_contact_problem_h
+#define stickslip_problem_contact_problem_h
+
+#include <stickslip/base/parameter_file.h>
+#include <stickslip/base/solve_counts.h>
+
+#include <stickslip/contact/contact_assembler.h>
+#include <stickslip/contact/contact_parameters.h>
+#include <stickslip/contact/contact_quantities.h>
+
+#include <stickslip/mesh/mesh_builder.h>
+
+#include <stickslip/problem/dof_layout.h>
+
+#include <stickslip/solid/boundary_conditions.h>
+#include <stickslip/solid/material_parameters.h>
+#include <stickslip/solid/solid_assembler.h>
+
+#include <array>
+#include <functional>
+#include <memory>
+
+namespace stickslip
+{
+  /// How far a state is from solving the discrete equations.
+  struct ResidualNorms
+  {
+    /// ||F_int + F_contact - F_ext|| over ||F_ext|| or the reactions,
+    /// whichever is larger (paper, eq. 25).
+    double equilibrium = 0.;
+    /// Largest gap over face size, or |Lambda| mismatch, of any contact row.
+    double contact = 0.;
+    /// Largest prescribed displacement that is not yet applied.
+    double prescribed = 0.;
+  };
+
+  /**
+   * The discrete problem of one load step: residual and tangent of solid and
+   * contact for x = [displacements, multipliers], with the contact quantities
+   * live or frozen. All functions are collective.
+   */
+  template <int dim>
+  class ContactProblem
+  {
+  public:
+    ContactProblem(
+      Mesh<dim>                                    &mesh,
+      const unsigned int                            degree,
+      const NamedList<MaterialParameters>          &materials,
+      const NamedList<BoundaryConditionParameters> &boundary_conditions,
+      const NamedList<ContactPairParameters>       &contact_pairs,
+      const bool                                    quasi_tangent);
+
+    /// A zero state (not ghosted).
+    LA::BlockVector
+    zero_state() const;
+
+    /// Starts a step to @p time from the accepted state @p x_old.
+    void
+    begin_step(const double time, const LA::BlockVector &x_old);
+
+    /// Renews what is constant during a Newton iteration from @p x: contact
+    /// scales, and the constraints of the increment.
+    void
+    begin_iteration(const LA::BlockVector &x);
+
+    /// Residual norms at @p x with the live quantities recomputed.
+    ResidualNorms
+    residual(const LA::BlockVector &x);
+
+    /// Internal plus contact forces of the last residual: at equilibrium the
+    /// loads and the reactions.
+    const LA::Vector &
+    nodal_forces() const
+    {
+      return forces;
+    }
+
+    /// Assembles matrix and right hand side of the increment at @p x.
+    void
+    assemble(const LA::BlockVector &x);
+
+    const LA::BlockSparseMatrix &
+    matrix() const
+    {
+      return system_matrix;
+    }
+
+    const LA::BlockVector &
+    right_hand_side() const
+    {
+      return rhs;
+    }
+
+    /// Sets the constrained entries of an increment.
+    void
+    distribute(LA::BlockVector &increment) const;
+
+    /// The three quantities that outer loops may freeze: geometry, threshold,
+    /// status.
+    std::array<FreezableQuantity *, 3>
+    quantities();
+
+    /// False (with the reason) if a point of the last evaluated state is
+    /// outside the range of its material.
+    bool
+    state_is_admissible(std::string &reason) const;
+
+    /// Keeps histories of the state @p x.
+    void
+    accept_step(const LA::BlockVector &x);
+
+    /// Forgets the histories of a failed step.
+    void
+    restore();
+
+    /// Throws UserError for bodies that nothing can hold.
+    void
+    check_bodies_are_held() const;
+
+    const DofLayout<dim> &
+    layout() const
+    {
+      return dofs;
+    }
+
+    const Bodies &
+    bodies() const
+    {
+      return mesh.bodies;
+    }
+
+    ContactAssembler<dim> &
+    contact()
+    {
+      return *contact_assembler;
+    }
+
+    SolidAssembler<dim> &
+    solid()
+    {
+      return *solid_assembler;
+    }
+
+    const LA::Vector &
+    ghosted_displacement() const
+    {
+      return u;
+    }
+
+    /// Brings contact and ghosted vectors to the state @p x.
+    void
+    configure(const LA::BlockVector &x, const bool may_fetch_patches);
+
+    /// Counts and times since the last reset.
+    SolveCounts counts;
+
+  private:
+    Mesh<dim>                             &mesh;
+    MPI_Comm                               communicator;
+    DofLayout<dim>                         dofs;
+    const bool                             quasi_tangent;
+    BoundaryConditions<dim>                boundary_conditions;
+    std::unique_ptr<SolidAssembler<dim>>   solid_assembler;
+    std::unique_ptr<ContactAssembler<dim>> contact_assembler;
+    std::vector<bool>                      master_is_rigid; ///< by pair
+
+    std::unique_ptr<ContactGeometry<dim>>    geometry;
+    std::unique_ptr<FrictionThreshold<dim>>  threshold;
+    std::unique_ptr<ContactStatusField<dim>> status;
+
+    double          time = 0.;
+    LA::BlockVector x_old;
+    LA::Vector      u, u_old, lambda; ///< ghosted
+    LA::Vector      forces;           ///< internal plus contact
+    Constraints     geometric;        ///< hanging nodes, periodicity
+    Constraints     constraints;      ///< of the increment, all of them
+    double          unapplied_displacement      = 0.;
+    bool            constraints_are_homogeneous = false;
+    double          force_floor                 = 0.;
+    bool            pattern_is_outdated         = true;
+
+    std::set<std::tuple<unsigned int, unsigned int, FaceId>> known_couplings;
+
+    LA::BlockSparseMatrix system_matrix;
+    LA::BlockVector       rhs;
+
+    void
+    make_contact_pairs(const NamedList<ContactPairParameters> &parameters);
+
+    void
+    update_ghost_layout();
+
+    void
+    update_constraints(const LA::BlockVector &x);
+
+    void
+    constrain_multipliers(Constraints &lines) const;
+
+    void
+    update_sparsity();
+
+    bool
+    couplings_are_known();
+  };
+} // namespace stickslip
+
+#endif

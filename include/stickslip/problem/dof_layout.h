@@ -1,0 +1,46 @@
+#ifndef stickslip_problem_dof_layout_h
+#define stickslip_problem_dof_layout_h
+
+#include <stickslip/base/types.h>
+
+#include <deal.II/base/index_set.h>
+
+#include <deal.II/distributed/tria_base.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_q.h>
+
+namespace stickslip
+{
+  /**
+   * The displacement space: FE_Q(degree)^dim on an isoparametric mapping. Its
+   * support points are the nodes of the geometry, which the contact faces rely
+   * on.
+   */
+  template <int dim>
+  class DofLayout
+  {
+  public:
+    DofLayout(const parallel::DistributedTriangulationBase<dim> &triangulation,
+              const unsigned int                                 degree);
+
+    const MappingQ<dim> mapping;
+    const FESystem<dim> fe;
+    DoFHandler<dim>     dof_handler;
+    IndexSet            owned;
+    IndexSet            relevant;
+  };
+
+  /// [displacements, multipliers] as one index set, multipliers shifted.
+  IndexSet
+  combined_index_set(const IndexSet &displacements,
+                     const IndexSet &multipliers);
+
+  /// Copies the lines of @p from (displacements only) to @p to.
+  void
+  copy_lines(const Constraints &from, Constraints &to);
+} // namespace stickslip
+
+#endif

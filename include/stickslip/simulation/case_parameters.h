@@ -1,0 +1,73 @@
+#ifndef stickslip_simulation_case_parameters_h
+#define stickslip_simulation_case_parameters_h
+
+#include <stickslip/base/parameter_file.h>
+
+#include <stickslip/contact/contact_parameters.h>
+
+#include <stickslip/linear_solvers/linear_solver.h>
+
+#include <stickslip/mesh/body_parameters.h>
+#include <stickslip/mesh/mesh_parameters.h>
+
+#include <stickslip/output/output_parameters.h>
+
+#include <stickslip/simulation/load_stepping.h>
+#include <stickslip/simulation/reference_checks.h>
+
+#include <stickslip/solid/boundary_condition_parameters.h>
+#include <stickslip/solid/material_parameters.h>
+
+#include <stickslip/strategy/solution_strategy.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+
+namespace stickslip
+{
+  /// A whole case as the .prm describes it.
+  struct CaseParameters
+  {
+    std::string  title;
+    unsigned int dimension = 2;
+    unsigned int degree    = 1;
+
+    MeshParameters                         mesh;
+    NamedList<BodyParameters>              bodies;
+    NamedList<MaterialParameters>          materials;
+    NamedList<BoundaryConditionParameters> boundary_conditions;
+    NamedList<ContactPairParameters>       contact_pairs;
+    AlgorithmParameters                    algorithm;
+    LoadSteppingParameters                 load_stepping;
+    LinearSolverParameters                 linear_solver;
+    OutputParameters                       output;
+    NamedList<ReferenceCheckParameters>    checks;
+
+    CaseParameters() = default;
+
+    // ParameterHandler keeps references to the members.
+    CaseParameters(const CaseParameters &) = delete;
+
+    /// Reads and checks a case. Throws UserError, the same on all ranks.
+    void
+    read(const ParameterFile &file);
+
+    /// Everything that can be set, with placeholder names such as <body>.
+    static void
+    declare_all(CaseParameters &parameters, ParameterHandler &prm);
+
+    /// Requests for periodic boundaries, which the mesh must know.
+    std::vector<PeriodicRequest>
+    periodic_requests() const;
+
+  private:
+    void
+    add_parameters(ParameterHandler &prm);
+
+    void
+    check() const;
+  };
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,45 @@
+#ifndef stickslip_simulation_convergence_log_h
+#define stickslip_simulation_convergence_log_h
+
+#include <stickslip/strategy/newton_solver.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <fstream>
+#include <string>
+
+namespace stickslip
+{
+  /**
+   * The file convergence.log in the output directory: every Newton iteration
+   * and every fixed-point pass of every step, also of those that failed. Only
+   * rank 0 writes.
+   */
+  class ConvergenceLog
+  {
+  public:
+    ConvergenceLog(const std::string &directory, const MPI_Comm &communicator);
+
+    void
+    begin_step(const unsigned int step, const double time, const double size);
+
+    void
+    newton_iteration(const unsigned int     iteration,
+                     const NewtonIteration &state);
+
+    void
+    loop_pass(const std::string &quantity,
+              const unsigned int pass,
+              const double       change,
+              const unsigned int depth);
+
+    /// Free text, for example why a step failed.
+    void
+    note(const std::string &text);
+
+  private:
+    std::ofstream file; ///< open on rank 0 only
+  };
+} // namespace stickslip
+
+#endif

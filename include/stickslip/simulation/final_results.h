@@ -1,0 +1,39 @@
+#ifndef stickslip_simulation_final_results_h
+#define stickslip_simulation_final_results_h
+
+#include <stickslip/simulation/reference_checks.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <iosfwd>
+#include <string>
+
+namespace stickslip
+{
+  /**
+   * The results that a run prints at its end. They do not depend on the number
+   * of ranks: six digits, and what is roundoff beside its like is zero.
+   */
+  class FinalResults
+  {
+  public:
+    /// Values whose names share the same @p family are compared for roundoff.
+    void
+    add(const std::string &family, const std::string &name, const double value);
+
+    const NamedValues &
+    values() const
+    {
+      return named_values;
+    }
+
+    void
+    print(std::ostream &out) const;
+
+  private:
+    NamedValues              named_values;
+    std::vector<std::string> families;
+  };
+} // namespace stickslip
+
+#endif

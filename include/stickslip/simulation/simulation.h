@@ -1,0 +1,97 @@
+#ifndef stickslip_simulation_simulation_h
+#define stickslip_simulation_simulation_h
+
+#include <stickslip/mesh/mesh_builder.h>
+
+#include <stickslip/output/contact_output.h>
+#include <stickslip/output/contact_resultants.h>
+#include <stickslip/output/field_output.h>
+#include <stickslip/output/point_values.h>
+#include <stickslip/output/progress.h>
+#include <stickslip/output/statistics_table.h>
+
+#include <stickslip/problem/contact_problem.h>
+
+#include <stickslip/simulation/case_parameters.h>
+#include <stickslip/simulation/convergence_log.h>
+#include <stickslip/simulation/load_stepping.h>
+
+#include <memory>
+#include <string>
+
+namespace stickslip
+{
+  /**
+   * A case from its parameters to its results. Owns everything; run() is the
+   * whole story.
+   */
+  template <int dim>
+  class Simulation
+  {
+  public:
+    /// Builds meshes, spaces and contact pairs. Throws UserError. Collective.
+    Simulation(const CaseParameters &parameters, const MPI_Comm &communicator);
+
+    /**
+     * Solves all load steps and writes the results. Returns the number of
+     * reference checks that fell short. Throws UserError and, when the step
+     * cannot be cut any more, NoConvergence; the last accepted state is then in
+     * the output directory. Collective.
+     */
+    unsigned int
+    run(const std::string &restart_from);
+
+  private:
+    const CaseParameters         &parameters;
+    MPI_Comm                      communicator;
+    Mesh<dim>                     mesh;
+    ContactProblem<dim>           problem;
+    std::unique_ptr<LinearSolver> linear_solver;
+    LoadStepping                  load_stepping;
+
+    LA::BlockVector x;        ///< present state
+    LA::BlockVector accepted; ///< last accepted state
+    LA::Vector      accepted_forces;
+    double          external_work = 0.;
+    double          friction_work = 0.;
+    unsigned int    n_cuts        = 0;
+    SolveCounts     failed; ///< of steps that were cut since the last accepted
+
+    FieldOutput<dim>   field_output;
+    ContactOutput<dim> contact_output;
+    PointValues<dim>   point_values;
+    StatisticsTable    statistics;
+    StatisticsTable    resultant_table;
+    ConvergenceLog     log;
+    Progress           progress;
+
+    void
+    solve_step(const double time);
+
+    void
+    solve_increment(const LA::BlockVector &state, LA::BlockVector &increment);
+
+    void
+    accept_step();
+
+    void
+    give_up_step(const NoConvergence &failure);
+
+    void
+    write_results(const std::vector<ContactFaceResult<dim>> &faces);
+
+    void
+    write_statistics(const std::vector<ContactResultants<dim>> &resultants);
+
+    void
+    write_checkpoint();
+
+    void
+    resume(const std::string &restart_from);
+
+    unsigned int
+    report_final_results();
+  };
+} // namespace stickslip
+
+#endif

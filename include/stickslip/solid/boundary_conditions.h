@@ -1,0 +1,133 @@
+#ifndef stickslip_solid_boundary_conditions_h
+#define stickslip_solid_boundary_conditions_h
+
+#include <stickslip/base/parameter_file.h>
+#include <stickslip/base/types.h>
+
+#include <stickslip/mesh/body.h>
+
+#include <stickslip/solid/boundary_condition_parameters.h>
+#include <stickslip/solid/load.h>
+#include <stickslip/solid/prescribed_displacement.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/mapping.h>
+
+#include <string>
+#include <vector>
+
+namespace stickslip
+{
+  /**
+   * What the user prescribes on the bodies' boundaries, made from the section
+   * "Boundary conditions": loads (for SolidAssembler), displacements and
+   * periodicity (as constraints).
+   */
+  template <int dim>
+  class BoundaryConditions
+  {
+  public:
+    /// One condition of the type periodic; global boundary ids.
+    struct Periodicity
+    {
+      std::string        name;
+      unsigned int       body;
+      types::boundary_id first;
+      types::boundary_id second;
+      unsigned int       axis;
+    };
+
+    /**
+     * Not collective, but the same on all ranks. Throws UserError for unknown
+     * bodies, boundary ids without a face, wrong expressions and for
+     * conditions that make no sense on a rigid body. Keeps a reference to
+     * @p bodies.
+     */
+    BoundaryConditions(const NamedList<BoundaryConditionParameters> &parameters,
+                       const Bodies                                 &bodies);
+
+    /**
+     * Adds the lines of the increment, u_i = g_i(time) - u_i(current), for all
+     * prescribed displacements; bodies marked rigid that no rigid motion names
+     * are held in place. @p u holds the current displacements and needs the
+     * locally owned entries. Degrees of freedom that are constrained already
+     * (hanging nodes, periodicity) keep their lines. All lines of
+     * constraints.get_local_lines() are filled, so ranks agree, also on
+     * degrees of freedom of cells that they do not see.
+     *
+     * Collective. Throws UserError on all ranks if two conditions contradict
+     * each other at a node, if a condition holds at no node, or if a symmetry
+     * boundary is not plane. Call before constraints.close().
+     */
+    void
+    add_prescribed_displacements(const Mapping<dim>    &mapping,
+                                 const DoFHandler<dim> &dof_handler,
+                                 const double           time,
+                                 const LA::Vector      &u,
+                                 Constraints           &constraints) const;
+
+    /// Adds the periodicity constraints (homogeneous). Collective. Call before
+    /// add_prescribed_displacements().
+    void
+    add_periodicity(const DoFHandler<dim> &dof_handler,
+                    Constraints           &constraints) const;
+
+    /**
+     * The rigid motions of the deformable bodies that no prescribed
+     * displacement, spring or periodicity prevents, for example "body 'punch':
+     * rotation about z" (rotations are about the body's centre, combined with
+     * a translation if it is held elsewhere). Contact is not considered.
+     * Collective; the same on all ranks.
+     */
+    std::vector<std::string>
+    unheld_rigid_motions(const Mapping<dim>    &mapping,
+                         const DoFHandler<dim> &dof_handler) const;
+
+    const std::vector<Load<dim>> &
+    loads() const
+    {
+      return all_loads;
+    }
+
+    const std::vector<PrescribedDisplacement<dim>> &
+    prescribed_displacements() const
+    {
+      return displacements;
+    }
+
+    const std::vector<Periodicity> &
+    periodicities() const
+    {
+      return all_periodicities;
+    }
+
+  private:
+    void
+    add_condition(const std::string                 &name,
+                  const BoundaryConditionParameters &parameters);
+
+    void
+    add_displacement(const std::string                 &name,
+                     const BoundaryConditionParameters &parameters);
+
+    void
+    add_load(const std::string                 &name,
+             const BoundaryConditionParameters &parameters);
+
+    void
+    add_periodic_pair(const std::string                 &name,
+                      const BoundaryConditionParameters &parameters);
+
+    void
+    hold_idle_rigid_bodies();
+
+    const Bodies &bodies;
+
+    std::vector<PrescribedDisplacement<dim>> displacements;
+    std::vector<Load<dim>>                   all_loads;
+    std::vector<Periodicity>                 all_periodicities;
+  };
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,106 @@
+#ifndef stickslip_solid_cell_kernel_h
+#define stickslip_solid_cell_kernel_h
+
+#include <stickslip/base/types.h>
+
+#include <deal.II/base/aligned_vector.h>
+#include <deal.II/base/tensor.h>
+
+#include <deal.II/fe/fe.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <vector>
+
+namespace stickslip
+{
+  /**
+   * Displacements, forces and stiffness of one cell, and the loops over nodes
+   * that one quadrature point needs. It works node by node, with the shape
+   * functions of the scalar element, and allocates nothing after construction.
+   */
+  template <int dim>
+  class ElementArrays
+  {
+  public:
+    /// For an FESystem of dim equal scalar elements.
+    explicit ElementArrays(const FiniteElement<dim> &fe);
+
+    /// Zero forces and stiffness; displacements read from the ghosted @p u.
+    void
+    reinit(const LA::Vector                           &u,
+           const std::vector<types::global_dof_index> &dof_indices);
+
+    /// Takes the reference gradients of the scalar shape functions at point
+    /// @p q of a cell or face.
+    void
+    set_gradients(const FEValuesBase<dim> &fe_values, const unsigned int q);
+
+    /// F = I + Grad u at the point of set_gradients(); F_33 = 1 in 2D.
+    Tensor<2, 3>
+    deformation_gradient() const;
+
+    /// sum_a u_a N_a(q)
+    Tensor<1, dim>
+    displacement(const FEValuesBase<dim> &fe_values,
+                 const unsigned int       q) const;
+
+    /// internal_(a i) += P_iJ G_aJ JxW
+    void
+    add_stress(const Tensor<2, 3> &P, const double JxW);
+
+    /// stiffness_(a i)(b k) += G_aJ (dP_iJ/dF_kL) G_bL JxW
+    void
+    add_stress_tangent(const Tensor<4, 3> &dP_dF, const double JxW);
+
+    /// force_(a i) += t_i N_a(q) JxW
+    void
+    add_load(const FEValuesBase<dim> &fe_values,
+             const unsigned int       q,
+             const Tensor<1, dim>    &t,
+             Vector<double>          &force) const;
+
+    /// stiffness_(a i)(b k) += N_a (dt_i/dF_kL) G_bL JxW
+    void
+    add_load_gradient_tangent(const FEValuesBase<dim> &fe_values,
+                              const unsigned int       q,
+                              const Tensor<3, dim>    &dt_dF);
+
+    /// stiffness_(a i)(b k) += N_a (dt_i/du_k) N_b JxW
+    void
+    add_load_tangent(const FEValuesBase<dim> &fe_values,
+                     const unsigned int       q,
+                     const Tensor<2, dim>    &dt_du);
+
+    /// Sorts the stiffness into the cell's numbering.
+    void
+    copy_stiffness(FullMatrix<double> &matrix) const;
+
+    Vector<double> internal; ///< in the cell's numbering
+    Vector<double> external;
+
+  private:
+    /// Row (a, i), column (k, b): b runs innermost, so that the inner loops
+    /// are contiguous.
+    double *
+    stiffness_row(const unsigned int a, const unsigned int i)
+    {
+      return stiffness.data() + (a * dim + i) * dim * n_nodes;
+    }
+
+    const unsigned int n_nodes;
+
+    /// Cell's index of component i of node a, at [a * dim + i].
+    std::vector<unsigned int> dof_of_node;
+
+    std::vector<double> values; ///< displacements in the cell's numbering
+    std::vector<double> nodal_displacements; ///< [i * n_nodes + a]
+    std::vector<double> gradients;           ///< [J * n_nodes + a]
+
+    AlignedVector<double> stiffness;
+  };
+} // namespace stickslip
+
+#endif

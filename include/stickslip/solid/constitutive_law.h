@@ -1,0 +1,119 @@
+#ifndef stickslip_solid_constitutive_law_h
+#define stickslip_solid_constitutive_law_h
+
+#include <stickslip/base/types.h>
+
+#include <deal.II/base/array_view.h>
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/tensor.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace stickslip
+{
+  /**
+   * What a material answers to a deformation at one point: stress, its
+   * derivative and the new history. Pure functions of tensors: no finite
+   * elements, no MPI.
+   *
+   * All tensors are 3x3. A two-dimensional body hands in a deformation
+   * gradient with F_33 = 1 and F_13 = F_23 = F_31 = F_32 = 0, which is plane
+   * strain; plane stress is the adaptor PlaneStress around any law.
+   *
+   * Stresses are in the unit of the parameters. A law may have a history (any
+   * number of doubles per point), and its tangent need not be symmetric.
+   */
+  class ConstitutiveLaw
+  {
+  public:
+    virtual ~ConstitutiveLaw() = default;
+
+    /// Declares the law's own parameters in the current subsection.
+    virtual void
+    add_parameters(ParameterHandler &prm) = 0;
+
+    /// Throws UserError for values that no pattern can catch; @p path is the
+    /// law's section, e.g. "Materials/steel".
+    virtual void
+    check(const std::string &path) const = 0;
+
+    /// Number of doubles per point that the law remembers.
+    virtual unsigned int
+    n_history_variables() const
+    {
+      return 0;
+    }
+
+    /// Writes the history of the virgin material.
+    virtual void
+    initialize_history(const ArrayView<double> &history) const;
+
+    /**
+     * First Piola-Kirchhoff stress P(F) and, unless @p dP_dF is a null
+     * pointer, its derivative dP_ij/dF_kl (with the history update
+     * differentiated, i.e. the algorithmic tangent). @p old_history is the
+     * accepted one of the last step, @p new_history (same size) is written.
+     *
+     * Returns false, and throws nothing, if the state is locally impossible
+     * (negative volume, local iteration without result): the step is then to
+     * be cut. P, dP_dF and new_history are unusable in that case.
+     */
+    virtual bool
+    evaluate(const Tensor<2, 3>            &F,
+             const ArrayView<const double> &old_history,
+             const ArrayView<double>       &new_history,
+             Tensor<2, 3>                  &P,
+             Tensor<4, 3>                  *dP_dF) const = 0;
+
+    /**
+     * The deformation gradient including what the law itself determines from
+     * the in-plane part (plane stress: F_33, kept in @p history). To be
+     * handed to cauchy_stress() and strain().
+     */
+    virtual Tensor<2, 3>
+    full_deformation_gradient(const Tensor<2, 3>            &F,
+                              const ArrayView<const double> &history) const;
+
+    /// Cauchy stress P F^T / det F for output; geometrically linear laws,
+    /// which know one stress only, return P.
+    virtual SymmetricTensor<2, 3>
+    cauchy_stress(const Tensor<2, 3> &F, const Tensor<2, 3> &P) const;
+
+    /// The strain that the law uses, for output: Green-Lagrange unless the
+    /// law says otherwise.
+    virtual SymmetricTensor<2, 3>
+    strain(const Tensor<2, 3> &F) const;
+
+    /// lambda + 2 mu at rest: the scale for contact parameters and for the
+    /// diagonal of constrained rows.
+    virtual double
+    longitudinal_modulus() const = 0;
+
+    /// True if det F <= 0 does not bother the law (small strains).
+    virtual bool
+    is_geometrically_linear() const
+    {
+      return false;
+    }
+  };
+
+  /// A law by its name in the parameter file, with default parameters. Throws
+  /// UserError with the nearest and the known names; @p parameter_path says
+  /// where the name was found.
+  std::unique_ptr<ConstitutiveLaw>
+  create_constitutive_law(const std::string &name,
+                          const std::string &parameter_path);
+
+  /// All names that create_constitutive_law() knows.
+  std::vector<std::string>
+  constitutive_law_names();
+
+  /// What each law is, for the documentation of the parameter.
+  std::string
+  constitutive_law_descriptions();
+} // namespace stickslip
+
+#endif

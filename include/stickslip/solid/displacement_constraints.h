@@ -1,0 +1,56 @@
+#ifndef stickslip_solid_displacement_constraints_h
+#define stickslip_solid_displacement_constraints_h
+
+#include <stickslip/base/types.h>
+
+#include <stickslip/solid/prescribed_displacement.h>
+
+#include <deal.II/base/index_set.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stickslip
+{
+  /// One line of AffineConstraints, to be sent to other ranks.
+  struct ConstraintLine
+  {
+    types::global_dof_index                                 dof;
+    std::vector<std::pair<types::global_dof_index, double>> entries;
+    double                                                  inhomogeneity;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &dof &entries &inhomogeneity;
+    }
+  };
+
+  /**
+   * Resolves what is prescribed at a node to lines for the increment of its
+   * displacement, whose current value is @p u: direction . (u + increment) =
+   * value for all rows. Redundant rows are dropped; if they contradict each
+   * other, a text naming the two of @p conditions is written to @p error.
+   */
+  template <int dim>
+  std::vector<ConstraintLine>
+  resolve_held_node(const HeldNode<dim>                            &node,
+                    const Tensor<1, dim>                           &u,
+                    const std::vector<PrescribedDisplacement<dim>> &conditions,
+                    std::string                                    &error);
+
+  /**
+   * Adds @p lines, one rank's lines of its locally owned degrees of freedom,
+   * and asks the owners for those of the other local lines of @p constraints.
+   * Lines that exist stay as they are. Collective.
+   */
+  void
+  add_lines_on_all_ranks(const std::vector<ConstraintLine> &lines,
+                         const IndexSet                    &locally_owned_dofs,
+                         const MPI_Comm                     communicator,
+                         Constraints                       &constraints);
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,57 @@
+#ifndef stickslip_solid_material_parameters_h
+#define stickslip_solid_material_parameters_h
+
+#include <stickslip/base/parameter_file.h>
+
+#include <stickslip/mesh/body.h>
+
+#include <stickslip/solid/constitutive_law.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace stickslip
+{
+  /**
+   * The parameters of one material: the name of the law and that law's own
+   * parameters, and no others. Because the set of parameters depends on the
+   * law, choose_law() goes before add_parameters().
+   */
+  struct MaterialParameters
+  {
+    std::string law          = "linear elastic";
+    bool        plane_stress = false;
+
+    /// Takes the law of that name; throws UserError naming @p path ("Materials/
+    /// steel") and the known names.
+    void
+    choose_law(const std::string &name, const std::string &path);
+
+    /// Declares "Law", "Plane stress" and the parameters of the chosen law.
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /// Throws UserError for impossible values.
+    void
+    check(const std::string &path, const unsigned int dim) const;
+
+    /// The law, within PlaneStress if that was asked for.
+    std::shared_ptr<const ConstitutiveLaw>
+    constitutive_law() const;
+
+  private:
+    std::shared_ptr<ConstitutiveLaw> law_object;
+  };
+
+  /**
+   * The law of each region, indexed by material id. Regions of rigid bodies
+   * need no material: an empty name there gives a null pointer. Throws
+   * UserError listing the materials if a region names an unknown one.
+   */
+  std::vector<std::shared_ptr<const ConstitutiveLaw>>
+  laws_of_regions(const NamedList<MaterialParameters> &materials,
+                  const Bodies                        &bodies);
+} // namespace stickslip
+
+#endif

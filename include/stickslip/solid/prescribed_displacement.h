@@ -1,0 +1,91 @@
+#ifndef stickslip_solid_prescribed_displacement_h
+#define stickslip_solid_prescribed_displacement_h
+
+#include <stickslip/base/types.h>
+
+#include <stickslip/mesh/body.h>
+
+#include <stickslip/solid/boundary_condition_parameters.h>
+#include <stickslip/solid/rigid_motion.h>
+#include <stickslip/solid/space_time_function.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/mapping.h>
+
+#include <array>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace stickslip
+{
+  /**
+   * One condition of the types displacement, symmetry and rigid motion.
+   */
+  template <int dim>
+  struct PrescribedDisplacement
+  {
+    std::string                  name; ///< as in the parameter file
+    BoundaryConditionType        type;
+    unsigned int                 body;
+    std::set<types::boundary_id> boundary_ids; ///< global; empty: whole body
+
+    /// Of a displacement: the components' values.
+    std::shared_ptr<const SpaceTimeFunction<dim>> value;
+
+    /// Of a rigid motion.
+    RigidMotion<dim> motion;
+
+    /// If given: holds only at nodes where this function is not zero.
+    std::shared_ptr<const SpaceTimeFunction<dim>> where;
+  };
+
+  /**
+   * A node whose displacement is prescribed along one or more directions.
+   */
+  template <int dim>
+  struct HeldNode
+  {
+    /// direction . u = value
+    struct Row
+    {
+      Tensor<1, dim> direction; ///< of unit length
+      double         value;
+      unsigned int   condition; ///< index into the conditions
+    };
+
+    std::array<types::global_dof_index, dim> dofs;
+    Point<dim>                               position; ///< reference
+    unsigned int                             body;
+    double                                   cell_diameter;
+    std::vector<Row>                         rows;
+  };
+
+  /**
+   * All locally owned nodes that @p conditions hold at time @p time, by the
+   * first of their degrees of freedom. They are complete, because every cell
+   * at a locally owned node is locally owned or ghost. Not collective; an
+   * error of the user (a symmetry boundary that is not plane) is added to
+   * @p error for the caller to throw it on all ranks.
+   */
+  template <int dim>
+  std::map<types::global_dof_index, HeldNode<dim>>
+  find_held_nodes(const Mapping<dim>                             &mapping,
+                  const DoFHandler<dim>                          &dof_handler,
+                  const Bodies                                   &bodies,
+                  const std::vector<PrescribedDisplacement<dim>> &conditions,
+                  const double                                    time,
+                  std::string                                    &error);
+
+  /**
+   * Throws UserError with the first (by rank) non-empty @p error on all ranks;
+   * does nothing if all are empty. Collective.
+   */
+  void
+  throw_collectively(const std::string &error, const MPI_Comm communicator);
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,204 @@
+#ifndef stickslip_solid_solid_assembler_h
+#define stickslip_solid_solid_assembler_h
+
+#include <stickslip/base/types.h>
+
+#include <stickslip/mesh/body.h>
+
+#include <stickslip/solid/boundary_conditions.h>
+#include <stickslip/solid/cell_kernel.h>
+#include <stickslip/solid/constitutive_law.h>
+#include <stickslip/solid/point_history.h>
+#include <stickslip/solid/surface_loads.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace stickslip
+{
+  /**
+   * Internal and external forces of the bodies, and their tangent, in the
+   * total Lagrangian form
+   *
+   *   R_u(v) = int P : Grad v  +  springs  -  (tractions, pressures, body
+   * forces)
+   *
+   * with Gauss(degree + 1) in the reference cells. Works with any FESystem of
+   * dim equal FE_Q. Cells of rigid bodies are skipped.
+   */
+  template <int dim>
+  class SolidAssembler
+  {
+  public:
+    /// Stress and strain at one quadrature point, for output.
+    struct PointState
+    {
+      Point<dim>            reference_position;
+      double                JxW; ///< reference volume
+      SymmetricTensor<2, 3> cauchy_stress;
+      SymmetricTensor<2, 3> strain; ///< as the law defines it
+    };
+
+    /**
+     * @p laws is indexed by material id (see laws_of_regions()). Keeps
+     * references to everything but the laws, which it shares. The mesh and the
+     * degrees of freedom must be complete; after a change of the mesh make a
+     * new object and transfer point_history(). Throws UserError if a
+     * deformable region has no law.
+     */
+    SolidAssembler(
+      const Mapping<dim>                                        &mapping,
+      const DoFHandler<dim>                                     &dof_handler,
+      const Bodies                                              &bodies,
+      const std::vector<std::shared_ptr<const ConstitutiveLaw>> &laws,
+      const BoundaryConditions<dim> &boundary_conditions);
+
+    /**
+     * Adds internal and external forces, so that R_u = internal - external.
+     * @p u is ghosted (locally relevant entries). Rows of hanging nodes and
+     * periodicity are condensed with @p geometric; rows of prescribed
+     * displacements are left: they are the reactions. The vectors must be
+     * writable (owned entries plus ghosts); they are not compressed. Writes
+     * the trial history.
+     */
+    void
+    add_residual(const LA::Vector  &u,
+                 const double       time,
+                 const Constraints &geometric,
+                 LA::Vector        &internal,
+                 LA::Vector        &external);
+
+    /**
+     * Adds dR_u/du to @p matrix and -R_u to @p rhs with all @p constraints of
+     * the increment eliminated. Constrained rows get a positive diagonal of
+     * the order of the stiffness. Not compressed. Writes the trial history.
+     */
+    void
+    add_tangent(const LA::Vector  &u,
+                const double       time,
+                const Constraints &constraints,
+                LA::SparseMatrix  &matrix,
+                LA::Vector        &rhs);
+
+    /// False if the last add_residual() or add_tangent() met a point where the
+    /// law found no stress or (large strains) det F <= 0. Collective.
+    bool
+    state_is_admissible() const;
+
+    /// Says where the last evaluation failed (one point out of all ranks), or
+    /// "" if it did not. Collective.
+    std::string
+    inadmissible_point() const;
+
+    /// The trial history of the last evaluation becomes the accepted one.
+    void
+    accept();
+
+    /// Forgets the trial history.
+    void
+    restore();
+
+    /**
+     * Stress and strain at the quadrature points of a locally owned cell, with
+     * the accepted history. Leaves @p states empty on cells of rigid bodies.
+     */
+    void
+    evaluate_point_states(
+      const typename DoFHandler<dim>::active_cell_iterator &cell,
+      const LA::Vector                                     &u,
+      std::vector<PointState>                              &states);
+
+    /// lambda + 2 mu at rest; zero for a region of a rigid body without law.
+    double
+    longitudinal_modulus(const types::material_id material) const;
+
+    /// The quadrature formula of the cells.
+    const Quadrature<dim> &
+    cell_quadrature() const
+    {
+      return quadrature;
+    }
+
+    const PointHistory &
+    point_history() const
+    {
+      return history;
+    }
+
+    PointHistory &
+    point_history()
+    {
+      return history;
+    }
+
+  private:
+    /// Where the last evaluation failed on this rank.
+    struct Failure
+    {
+      bool         happened = false;
+      Point<dim>   position; ///< reference
+      unsigned int body       = 0;
+      bool         has_volume = true; ///< false: det F <= 0
+    };
+
+    using CellIterator = typename DoFHandler<dim>::active_cell_iterator;
+
+    void
+    initialize_history();
+
+    bool
+    is_rigid(const CellIterator &cell) const;
+
+    /// Makes `element` hold the forces and, with_tangent, the stiffness of one
+    /// cell.
+    void
+    evaluate_cell(const CellIterator &cell,
+                  const LA::Vector   &u,
+                  const double        time,
+                  const bool          with_tangent);
+
+    void
+    add_stresses(const CellIterator &cell, const bool with_tangent);
+
+    void
+    add_body_forces(const CellIterator &cell, const double time);
+
+    /// No forces, and a diagonal of the size of the stiffness elsewhere.
+    void
+    set_rigid_cell(const CellIterator &cell);
+
+    void
+    record_failure(const CellIterator &cell,
+                   const unsigned int  q,
+                   const bool          has_volume);
+
+    const DoFHandler<dim>                                    &dof_handler;
+    const Bodies                                             &bodies;
+    const std::vector<std::shared_ptr<const ConstitutiveLaw>> laws;
+
+    const QGauss<dim> quadrature;
+    PointHistory      history;
+    SurfaceLoads<dim> surface_loads;
+    double            largest_modulus;
+    Failure           failure;
+
+    // Scratch of the cell loop.
+    FEValues<dim>                        fe_values;
+    ElementArrays<dim>                   element;
+    FullMatrix<double>                   stiffness;
+    std::vector<types::global_dof_index> dof_indices;
+
+    /// By body.
+    std::vector<std::vector<const Load<dim> *>> body_forces;
+  };
+} // namespace stickslip
+
+#endif

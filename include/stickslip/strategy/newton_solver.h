@@ -1,0 +1,95 @@
+#ifndef stickslip_strategy_newton_solver_h
+#define stickslip_strategy_newton_solver_h
+
+#include <stickslip/base/types.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace stickslip
+{
+  struct NewtonParameters
+  {
+    unsigned int max_iterations        = 30;
+    double       equilibrium_tolerance = 1e-8;
+    double       contact_tolerance     = 1e-8;
+    double       increment_tolerance   = 1e-3;
+    std::string  line_search           = "none";
+    unsigned int max_halvings          = 5;
+
+    void
+    add_parameters(ParameterHandler &prm);
+  };
+
+
+
+  /// One line of a Newton run, for log and tables.
+  struct NewtonIteration
+  {
+    double equilibrium = 0.; ///< relative residual
+    double contact     = 0.; ///< largest contact row
+    double prescribed = 0.; ///< largest prescribed displacement not applied yet
+    double increment = 0.; ///< relative increment of displacements, multipliers
+    double step_length = 1.;
+  };
+
+
+
+  /// What Newton's method needs to know of a problem.
+  struct NewtonOperators
+  {
+    /// Renews what is constant during an iteration.
+    std::function<void(const LA::BlockVector &x)> begin_iteration;
+    /// Fills the first three entries; with live quantities recomputed.
+    std::function<NewtonIteration(const LA::BlockVector &x)> residual;
+    /// Solves the linearized problem at x for the increment.
+    std::function<void(const LA::BlockVector &x, LA::BlockVector &increment)>
+      solve_increment;
+    /// False (with the reason) if the last residual was outside of what the
+    /// model can represent, for example an inverted cell.
+    std::function<bool(std::string &reason)> is_admissible;
+    /// Called after each residual, for log and tables.
+    std::function<void(const unsigned int iteration, const NewtonIteration &)>
+      report;
+  };
+
+
+
+  /**
+   * Newton's method with an optional backtracking line search. Knows nothing of
+   * mechanics. A state is accepted when the relative equilibrium residual
+   * (paper, eq. 25) and the contact rows are below their tolerances, all
+   * prescribed displacements are applied, and, if an iteration was needed, its
+   * increment was below the increment tolerance (the further terms of eq. 26).
+   */
+  class NewtonSolver
+  {
+  public:
+    NewtonSolver(const NewtonParameters &parameters, NewtonOperators operators);
+
+    /// Improves @p x until converged; returns the number of iterations. Throws
+    /// NoConvergence. Collective.
+    unsigned int
+    solve(LA::BlockVector &x) const;
+
+  private:
+    const NewtonParameters parameters;
+    const NewtonOperators  operators;
+
+    bool
+    is_converged(const unsigned int     iteration,
+                 const NewtonIteration &state) const;
+
+    /// Adds a fraction of the increment to x that the model and, if asked for,
+    /// the residual accept; returns the new state.
+    NewtonIteration
+    advance(LA::BlockVector       &x,
+            const LA::BlockVector &increment,
+            const NewtonIteration &before) const;
+  };
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,142 @@
+#include <stickslip/base/command_line.h>
+#include <stickslip/base/no_convergence.h>
+#include <stickslip/base/print_parameters.h>
+#include <stickslip/base/user_error.h>
+
+#include <stickslip/output/output_directory.h>
+
+#include <stickslip/simulation/case_parameters.h>
+#include <stickslip/simulation/simulation.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/multithread_info.h>
+
+#include <cstdlib>
+#include <iostream>
+
+namespace
+{
+  using namespace stickslip;
+
+  /// What the shell sees; documented in help_text().
+  enum ExitCode
+  {
+    success           = 0,
+    wrong_input       = 1,
+    no_convergence    = 2,
+    internal_error    = 3,
+    check_falls_short = 4
+  };
+
+
+
+  bool
+  is_speaker()
+  {
+    return Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+  }
+
+
+
+  template <int dim>
+  int
+  run_case(const CaseParameters &parameters, const CommandLine &command_line)
+  {
+    const bool is_validation =
+      command_line.action == CommandLine::Action::validate;
+    prepare_output_directory(parameters.output.directory, MPI_COMM_WORLD);
+    Simulation<dim> simulation(parameters, MPI_COMM_WORLD);
+    if (is_validation)
+      {
+        if (is_speaker())
+          std::cout << command_line.parameter_file << ": no errors found."
+                    << std::endl;
+        return success;
+      }
+    return simulation.run(command_line.restart) == 0 ? success
+                                                     : check_falls_short;
+  }
+
+
+
+  void
+  print_all_parameters(const CommandLine &command_line)
+  {
+    CaseParameters   parameters;
+    ParameterHandler prm;
+    CaseParameters::declare_all(parameters, prm);
+    if (is_speaker())
+      print_parameters(std::cout, prm, command_line.format);
+  }
+
+
+
+  int
+  act_on(const CommandLine &command_line)
+  {
+    switch (command_line.action)
+      {
+        case CommandLine::Action::help:
+          if (is_speaker())
+            std::cout << help_text();
+          return success;
+        case CommandLine::Action::version:
+          if (is_speaker())
+            std::cout << version_text();
+          return success;
+        case CommandLine::Action::print_parameters:
+          print_all_parameters(command_line);
+          return success;
+        default:
+          break;
+      }
+
+    ParameterFile file(command_line.parameter_file, MPI_COMM_WORLD);
+    for (const std::string &assignment : command_line.overrides)
+      file.override_with(assignment);
+    CaseParameters parameters;
+    parameters.read(file);
+    if (!command_line.output_directory.empty())
+      parameters.output.directory = command_line.output_directory;
+    if (command_line.is_quiet)
+      parameters.output.verbosity = "quiet";
+    return parameters.dimension == 2 ? run_case<2>(parameters, command_line)
+                                     : run_case<3>(parameters, command_line);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  // One thread per rank: MPI is the parallelism.
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const auto report = [](const std::string &kind, const std::string &text) {
+    if (is_speaker())
+      std::cerr << "stickslip: " << kind << ": " << text << std::endl;
+  };
+  try
+    {
+      return act_on(parse_command_line(argc, argv));
+    }
+  catch (const UserError &error)
+    {
+      report("wrong input", error.what());
+      return wrong_input;
+    }
+  catch (const NoConvergence &failure)
+    {
+      report("no convergence", failure.what());
+      return no_convergence;
+    }
+  catch (const std::exception &error)
+    {
+      // Possibly on this rank only: the others must not wait for it.
+      std::cerr << "stickslip: internal error on rank "
+                << Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) << ": "
+                << error.what() << std::endl;
+      MPI_Abort(MPI_COMM_WORLD, internal_error);
+      return internal_error;
+    }
+}

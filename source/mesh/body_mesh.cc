@@ -1,0 +1,269 @@
+#include <stickslip/base/user_error.h>
+#include <stickslip/mesh/body_mesh.h>
+#include <stickslip/mesh/condition_list.h>
+#include <stickslip/mesh/mesh_checks.h>
+#include <stickslip/mesh/mesh_generator.h>
+#include <stickslip/mesh/mesh_reader.h>
+#include <stickslip/mesh/parsed_expression.h>
+#include <stickslip/mesh/transformed_manifold.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/manifold_lib.h>
+
+#include <algorithm>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// Moves the vertices to where the expressions say.
+    template <int dim>
+    void
+    reshape_body(const std::string  &coordinates,
+                 const std::string  &parameter_path,
+                 Triangulation<dim> &triangulation)
+    {
+      const std::vector<std::string> expressions =
+        Utilities::split_string_list(coordinates, ';');
+      if (expressions.size() != dim)
+        throw UserError(parameter_path + ": '" + coordinates + "' has " +
+                        std::to_string(expressions.size()) +
+                        " expressions, expected " + std::to_string(dim) +
+                        ", separated by ';'.");
+
+      const auto new_coordinates =
+        parse_expressions<dim>(dim == 2 ? "x,y" : "x,y,z",
+                               expressions,
+                               parameter_path);
+      // The generator's curves have no meaning on the new shape.
+      triangulation.reset_all_manifolds();
+      triangulation.set_all_manifold_ids(numbers::flat_manifold_id);
+      GridTools::transform(
+        [&](const Point<dim> &x) {
+          Point<dim> moved;
+          for (unsigned int d = 0; d < dim; ++d)
+            moved[d] = new_coordinates->value(x, d);
+          return moved;
+        },
+        triangulation);
+    }
+
+
+
+    template <int dim>
+    Tensor<1, dim>
+    body_vector(const std::vector<double> &numbers,
+                const std::string         &parameter_path)
+    {
+      if (numbers.size() < dim ||
+          (dim == 2 && numbers.size() > 2 && numbers[2] != 0.))
+        throw UserError(parameter_path + ": expected " + std::to_string(dim) +
+                        " numbers" +
+                        (dim == 2 ? " (or a third that is 0)" : "") +
+                        ", found " + std::to_string(numbers.size()) + ".");
+      Tensor<1, dim> vector;
+      for (unsigned int d = 0; d < dim; ++d)
+        vector[d] = numbers[d];
+      return vector;
+    }
+
+
+
+    template <int dim>
+    AffineMap<dim>
+    body_motion(const BodyParameters &parameters, const std::string &path)
+    {
+      std::vector<double> factors = parameters.scale;
+      if (factors.size() == 1)
+        factors.resize(dim, factors[0]);
+      else if (factors.size() != dim)
+        throw UserError(path + "/Scale: expected one factor or " +
+                        std::to_string(dim) + ", found " +
+                        std::to_string(factors.size()) + ".");
+      Tensor<1, dim> scale;
+      std::copy(factors.begin(), factors.end(), scale.begin_raw());
+
+      return AffineMap<dim>::from_motion(
+        scale,
+        body_vector<3>(parameters.rotation_axis, path + "/Rotation axis"),
+        parameters.rotation_angle * numbers::PI / 180.,
+        body_vector<dim>(parameters.rotation_centre, path + "/Rotation centre"),
+        body_vector<dim>(parameters.translation, path + "/Translation"));
+    }
+
+
+
+    /**
+     * Copies the manifolds of the ids in use to where @p map takes the body.
+     * Transfinite interpolation holds on to its own triangulation, so it ends
+     * with it: its interior cells go on flat between curved boundaries.
+     */
+    template <int dim>
+    void
+    collect_manifolds(const AffineMap<dim> &map, BodyMesh<dim> &body)
+    {
+      for (const types::manifold_id id : body.triangulation.get_manifold_ids())
+        {
+          if (id == numbers::flat_manifold_id)
+            continue;
+          const Manifold<dim> &manifold = body.triangulation.get_manifold(id);
+          // Ids from files have no manifold object: deal.II returns flat.
+          if (dynamic_cast<const FlatManifold<dim> *>(&manifold) != nullptr ||
+              dynamic_cast<const TransfiniteInterpolationManifold<dim> *>(
+                &manifold) != nullptr)
+            continue;
+          body.manifolds[id] = manifold.clone();
+          if (!map.is_identity())
+            body.manifolds[id] =
+              std::make_unique<TransformedManifold<dim>>(manifold.clone(), map);
+        }
+    }
+
+
+
+    template <int dim>
+    std::string
+    present_boundary_ids(const Triangulation<dim> &triangulation)
+    {
+      std::string text;
+      for (const types::boundary_id id : triangulation.get_boundary_ids())
+        text += (text.empty() ? "" : ", ") + std::to_string(id);
+      return text;
+    }
+
+
+
+    template <int dim>
+    void
+    mark_boundaries(const ConditionList &conditions,
+                    const std::string   &parameter_path,
+                    Triangulation<dim>  &triangulation)
+    {
+      for (unsigned int i = 0; i < conditions.size(); ++i)
+        {
+          const types::boundary_id id        = conditions.boundary_id(i);
+          bool                     marks_any = false;
+          for (const auto &face : triangulation.active_face_iterators())
+            if (face->at_boundary() &&
+                conditions.holds(i, face->center(), face->boundary_id()))
+              {
+                face->set_boundary_id(id);
+                marks_any = true;
+              }
+          if (!marks_any)
+            throw UserError(parameter_path + ": '" + conditions.label(i) +
+                            ": " + conditions.expression(i) +
+                            "' marks no face. Boundary ids present: " +
+                            present_boundary_ids(triangulation) +
+                            "; conditions are tested at face centres of the "
+                            "moved body.");
+        }
+    }
+
+
+
+    /// Decides on each cell's material name, then numbers the names in use.
+    template <int dim>
+    void
+    mark_materials(const BodyParameters &parameters,
+                   const std::string    &path,
+                   BodyMesh<dim>        &body)
+    {
+      const std::string   parameter_path = path + "/Material regions";
+      const ConditionList conditions(parameters.material_regions,
+                                     parameter_path);
+      std::vector<bool>   marks_any(conditions.size(), false);
+      for (const auto &cell : body.triangulation.active_cell_iterators())
+        {
+          const types::material_id old_id = cell->material_id();
+          std::string              name   = parameters.material;
+          for (unsigned int i = 0; i < conditions.size(); ++i)
+            if (conditions.holds(i, cell->center(), old_id))
+              {
+                name         = conditions.label(i);
+                marks_any[i] = true;
+              }
+          if (name.empty() && !parameters.is_rigid)
+            throw UserError(path + ": some cells (id " +
+                            std::to_string(old_id) +
+                            ") are in none of the 'Material regions', and "
+                            "'Material' for the rest is not given.");
+
+          auto known =
+            std::find(body.materials.begin(), body.materials.end(), name);
+          if (known == body.materials.end())
+            known = body.materials.insert(known, name);
+          cell->set_material_id(known - body.materials.begin());
+        }
+
+      for (unsigned int i = 0; i < conditions.size(); ++i)
+        if (!marks_any[i])
+          throw UserError(parameter_path + ": '" + conditions.label(i) + ": " +
+                          conditions.expression(i) +
+                          "' holds in no cell (tested at the centres).");
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::unique_ptr<BodyMesh<dim>>
+  make_body_mesh(const BodyParameters &parameters,
+                 const std::string    &path,
+                 const std::string    &input_directory,
+                 const MPI_Comm        communicator)
+  {
+    auto                body          = std::make_unique<BodyMesh<dim>>();
+    Triangulation<dim> &triangulation = body->triangulation;
+
+    if (!parameters.generator.empty())
+      generate_mesh(parameters.generator,
+                    parameters.arguments,
+                    path,
+                    triangulation);
+    else
+      read_mesh(parameters.mesh_file,
+                parameters.mesh_format,
+                input_directory,
+                path,
+                communicator,
+                triangulation);
+    check_cell_types(triangulation, path);
+
+    if (!parameters.coordinates.empty())
+      reshape_body(parameters.coordinates,
+                   path + "/Coordinates",
+                   triangulation);
+    check_cell_shapes(triangulation, path);
+    triangulation.refine_global(parameters.refinements);
+
+    const AffineMap<dim> map = body_motion<dim>(parameters, path);
+    if (parameters.keeps_manifolds)
+      collect_manifolds(map, *body);
+    if (!map.is_identity())
+      GridTools::transform(map, triangulation);
+    check_cell_shapes(triangulation, path);
+
+    const std::string parameter_path = path + "/Boundary ids";
+    mark_boundaries(ConditionList(parameters.boundary_ids, parameter_path),
+                    parameter_path,
+                    triangulation);
+    mark_materials(parameters, path, *body);
+    return body;
+  }
+
+
+
+  template std::unique_ptr<BodyMesh<2>>
+  make_body_mesh<2>(const BodyParameters &,
+                    const std::string &,
+                    const std::string &,
+                    const MPI_Comm);
+  template std::unique_ptr<BodyMesh<3>>
+  make_body_mesh<3>(const BodyParameters &,
+                    const std::string &,
+                    const std::string &,
+                    const MPI_Comm);
+} // namespace stickslip

@@ -1,0 +1,142 @@
+#include <stickslip/base/user_error.h>
+#include <stickslip/mesh/body_parameters.h>
+#include <stickslip/mesh/condition_list.h>
+
+namespace stickslip
+{
+  namespace
+  {
+    const char *const condition_variables =
+      "x, y, z and id, the id so far (from the generator or the file). "
+      "Later conditions win; each must hold somewhere.";
+  }
+
+
+
+  void
+  BodyParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Generator",
+                      generator,
+                      "Name of a mesh generator, for instance hyper_rectangle: "
+                      "deal.II's GridGenerator functions and our own "
+                      "graded_hyper_rectangle and annular_sector. Give this or "
+                      "Mesh file.");
+    prm.add_parameter(
+      "Arguments",
+      arguments,
+      "The generator's arguments, separated by ':', the coordinates of a point "
+      "by ','. Missing ones at the end get their defaults. Example for "
+      "subdivided_hyper_rectangle: 4, 2 : 0, 0 : 2, 1 : true. "
+      "graded_hyper_rectangle takes one list of positions per direction, with "
+      "|n| cells (and the ratio of the last to the first cell) in between: "
+      "0 |2| 5 |10, 0.2| 40 : 0 |4| 10. annular_sector: inner radius : outer "
+      "radius : first angle : last angle (degrees) : radial cells : angular "
+      "cells, and in 3D : length : axial cells.");
+    prm.add_parameter("Mesh file",
+                      mesh_file,
+                      "A mesh of quadrilaterals (2D) or hexahedra (3D); "
+                      "relative names start at the folder of the .prm file. "
+                      "Physical groups become boundary and material ids.");
+    prm.add_parameter(
+      "Mesh format",
+      mesh_format,
+      "Format of the mesh file; automatic goes by the extension "
+      "(.msh, .inp, .vtk, .ucd) and, for .inp, the contents.",
+      Patterns::Selection("automatic|gmsh|abaqus|vtk|ucd"));
+    prm.add_parameter("Coordinates",
+                      coordinates,
+                      "New coordinates of the vertices, \"fx; fy\" or "
+                      "\"fx; fy; fz\", as expressions of x, y, z, for grading "
+                      "and shaping. Straightens what was curved between the "
+                      "vertices.");
+    prm.add_parameter("Refinements",
+                      refinements,
+                      "Uniform refinements of this body alone.",
+                      Patterns::Integer(0, 12));
+
+    prm.add_parameter("Scale",
+                      scale,
+                      "Factor, or one factor per direction.",
+                      Patterns::List(Patterns::Double(0.), 1, 3));
+    prm.add_parameter("Rotation axis",
+                      rotation_axis,
+                      "Direction of the axis in 3D (2D: always z).",
+                      Patterns::List(Patterns::Double(), 3, 3));
+    prm.add_parameter("Rotation angle",
+                      rotation_angle,
+                      "Degrees, after scaling.");
+    prm.add_parameter("Rotation centre",
+                      rotation_centre,
+                      "A point of the axis, in scaled coordinates.",
+                      Patterns::List(Patterns::Double(), 2, 3));
+    prm.add_parameter("Translation",
+                      translation,
+                      "Shift after the rotation.",
+                      Patterns::List(Patterns::Double(), 2, 3));
+
+    prm.add_parameter(
+      "Boundary ids",
+      boundary_ids,
+      std::string("Further boundary ids, \"id: condition; id: condition\", for "
+                  "instance \"10: y < 1e-8; 11: abs(x - 40) < 1e-6\". "
+                  "Conditions are expressions of the face's centre ") +
+        condition_variables);
+    prm.add_parameter(
+      "Material",
+      material,
+      "Name of a section of Materials; a rigid body needs none.");
+    prm.add_parameter(
+      "Material regions",
+      material_regions,
+      std::string("Other materials in parts of the body, \"name: condition; "
+                  "name: condition\", for instance \"rubber: y > 5; steel: id "
+                  "== 3\". Conditions are expressions of the cell's centre ") +
+        condition_variables);
+    prm.add_parameter(
+      "Rigid",
+      is_rigid,
+      "A rigid body: all its displacements are prescribed, zero "
+      "unless a boundary condition moves it.");
+    prm.add_parameter("Keep manifolds",
+                      keeps_manifolds,
+                      "Curved boundaries of generated bodies stay curved in "
+                      "global and adaptive refinement and in the geometry of "
+                      "higher-order elements.");
+  }
+
+
+
+  void
+  BodyParameters::check(const std::string &path) const
+  {
+    if (generator.empty() && mesh_file.empty())
+      throw UserError(path +
+                      ": neither 'Generator' nor 'Mesh file' is given. "
+                      "One of them makes the body.");
+    if (!generator.empty() && !mesh_file.empty())
+      throw UserError(path + ": 'Generator = " + generator +
+                      "' and 'Mesh file = " + mesh_file +
+                      "' are both given. Choose one.");
+    if (generator.empty() && !arguments.empty())
+      throw UserError(path + "/Arguments: '" + arguments +
+                      "' is given without a 'Generator'.");
+
+    for (const double factor : scale)
+      if (!(factor > 0.))
+        throw UserError(path + "/Scale: factors must be positive, found " +
+                        std::to_string(factor) + ".");
+    if (rotation_angle != 0. && rotation_axis[0] == 0. &&
+        rotation_axis[1] == 0. && rotation_axis[2] == 0.)
+      throw UserError(path + "/Rotation axis: the direction is zero.");
+    if (material.empty() && material_regions.empty() && !is_rigid)
+      throw UserError(path +
+                      "/Material: a deformable body needs the name of a "
+                      "section of 'Materials'.");
+
+    const ConditionList ids(boundary_ids, path + "/Boundary ids");
+    for (unsigned int i = 0; i < ids.size(); ++i)
+      ids.boundary_id(i);
+    ConditionList(material_regions, path + "/Material regions");
+  }
+} // namespace stickslip

@@ -1,0 +1,247 @@
+#include <stickslip/base/user_error.h>
+#include <stickslip/mesh/body_mesh.h>
+#include <stickslip/mesh/joined_mesh.h>
+#include <stickslip/mesh/mesh_builder.h>
+#include <stickslip/mesh/mesh_checks.h>
+
+#include <deal.II/distributed/fully_distributed_tria.h>
+#include <deal.II/distributed/tria.h>
+
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria_description.h>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// Appends a body to the list of bodies and its cells to the joined mesh.
+    template <int dim>
+    void
+    append_body(const std::string   &name,
+                const bool           is_rigid,
+                const BodyMesh<dim> &body_mesh,
+                Bodies              &bodies,
+                JoinedMesh<dim>     &joined_mesh)
+    {
+      const unsigned int index = bodies.bodies.size();
+      Body               body;
+      body.name     = name;
+      body.is_rigid = is_rigid;
+      for (const types::boundary_id id :
+           body_mesh.triangulation.get_boundary_ids())
+        body.boundary_ids.insert(id);
+      bodies.bodies.push_back(body);
+      for (const std::string &material : body_mesh.materials)
+        bodies.regions.push_back(Region{index, material});
+
+      std::map<types::boundary_id, types::boundary_id> global_ids;
+      for (const types::boundary_id id : body.boundary_ids)
+        global_ids[id] = bodies.global_boundary_id(index, id);
+      joined_mesh.add(body_mesh, global_ids);
+    }
+
+
+
+    template <int dim>
+    std::vector<PeriodicBoundary>
+    find_periodic_boundaries(const std::vector<PeriodicRequest> &requests,
+                             const Bodies                       &bodies)
+    {
+      std::vector<PeriodicBoundary> result;
+      for (const PeriodicRequest &request : requests)
+        {
+          const std::string &path = request.parameter_path;
+          if (request.direction >= dim)
+            throw UserError(path + ": there is no direction " +
+                            std::to_string(request.direction) + " in " +
+                            std::to_string(dim) + "D.");
+          if (request.first == request.second)
+            throw UserError(path +
+                            ": the two periodic boundaries are the same.");
+          result.push_back(
+            {*bodies.global_boundary_ids(request.body, {request.first}, path)
+                .begin(),
+             *bodies.global_boundary_ids(request.body, {request.second}, path)
+                .begin(),
+             request.direction});
+        }
+      return result;
+    }
+
+
+
+    /// Tells the coarse mesh which of its faces are the same.
+    template <int dim>
+    void
+    add_periodicity(const std::vector<PeriodicBoundary> &boundaries,
+                    Triangulation<dim>                  &triangulation)
+    {
+      std::vector<
+        GridTools::PeriodicFacePair<typename Triangulation<dim>::cell_iterator>>
+        pairs;
+      for (const PeriodicBoundary &boundary : boundaries)
+        GridTools::collect_periodic_faces(triangulation,
+                                          boundary.first,
+                                          boundary.second,
+                                          boundary.direction,
+                                          pairs);
+      if (!pairs.empty())
+        triangulation.add_periodicity(pairs);
+    }
+
+
+
+    /// The faces must match one to one; better said here than on some ranks.
+    template <int dim>
+    void
+    check_periodicity(const JoinedMesh<dim>               &joined_mesh,
+                      const std::vector<PeriodicBoundary> &boundaries,
+                      const std::vector<PeriodicRequest>  &requests)
+    {
+      if (boundaries.empty())
+        return;
+      Triangulation<dim> coarse_mesh;
+      joined_mesh.create(coarse_mesh);
+      for (unsigned int i = 0; i < boundaries.size(); ++i)
+        try
+          {
+            std::map<types::boundary_id, unsigned int> n_faces;
+            for (const auto &face : coarse_mesh.active_face_iterators())
+              ++n_faces[face->boundary_id()];
+            if (n_faces[boundaries[i].first] != n_faces[boundaries[i].second])
+              throw UserError(requests[i].parameter_path + ": boundary " +
+                              std::to_string(requests[i].first) + " of body '" +
+                              requests[i].body + "' has " +
+                              std::to_string(n_faces[boundaries[i].first]) +
+                              " coarse faces, boundary " +
+                              std::to_string(requests[i].second) + " has " +
+                              std::to_string(n_faces[boundaries[i].second]) +
+                              "; periodic boundaries must match face to face.");
+            add_periodicity<dim>({boundaries[i]}, coarse_mesh);
+          }
+        catch (const ExceptionBase &exception)
+          {
+            throw UserError(requests[i].parameter_path + ": boundaries " +
+                            std::to_string(requests[i].first) + " and " +
+                            std::to_string(requests[i].second) + " of body '" +
+                            requests[i].body +
+                            "' cannot be identified by a shift in direction " +
+                            "xyz"[requests[i].direction] + ". " +
+                            short_message(exception));
+          }
+    }
+
+
+
+    template <int dim>
+    std::unique_ptr<parallel::DistributedTriangulationBase<dim>>
+    distribute_with_p4est(const JoinedMesh<dim>               &joined_mesh,
+                          const std::vector<PeriodicBoundary> &periodicity,
+                          const unsigned int                   n_refinements,
+                          const MPI_Comm                       communicator)
+    {
+      auto triangulation =
+        std::make_unique<parallel::distributed::Triangulation<dim>>(
+          communicator);
+      joined_mesh.create(*triangulation);
+      add_periodicity<dim>(periodicity, *triangulation);
+      triangulation->refine_global(n_refinements);
+      return triangulation;
+    }
+
+
+
+    /// One rank refines and partitions the serial mesh and sends each rank its
+    /// part.
+    template <int dim>
+    std::unique_ptr<parallel::DistributedTriangulationBase<dim>>
+    distribute_with_metis(const JoinedMesh<dim>               &joined_mesh,
+                          const std::vector<PeriodicBoundary> &periodicity,
+                          const unsigned int                   n_refinements,
+                          const MPI_Comm                       communicator)
+    {
+      const unsigned int n_ranks =
+        Utilities::MPI::n_mpi_processes(communicator);
+
+      const auto description = TriangulationDescription::Utilities::
+        create_description_from_triangulation_in_groups<dim, dim>(
+          [&](Triangulation<dim> &serial) {
+            joined_mesh.create(serial);
+            add_periodicity<dim>(periodicity, serial);
+            serial.refine_global(n_refinements);
+          },
+          [&](Triangulation<dim> &serial,
+              const MPI_Comm &,
+              const unsigned int) {
+            GridTools::partition_triangulation(n_ranks, serial);
+          },
+          communicator,
+          n_ranks);
+
+      auto triangulation =
+        std::make_unique<parallel::fullydistributed::Triangulation<dim>>(
+          communicator);
+      // The description has only the coarse vertices: each rank refines its
+      // part again, on the manifolds.
+      joined_mesh.set_manifolds(*triangulation);
+      triangulation->create_triangulation(description);
+      add_periodicity<dim>(periodicity, *triangulation);
+      return triangulation;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Mesh<dim>
+  build_mesh(const MeshParameters               &parameters,
+             const NamedList<BodyParameters>    &body_parameters,
+             const std::vector<PeriodicRequest> &periodic_requests,
+             const MPI_Comm                      communicator)
+  {
+    parameters.check("Mesh");
+    if (body_parameters.empty())
+      throw UserError(
+        "Bodies: there is no body. Add a subsection to 'Bodies'.");
+
+    Mesh<dim>       mesh;
+    JoinedMesh<dim> joined_mesh;
+    for (const auto &[name, body] : body_parameters)
+      {
+        const std::string path = "Bodies/" + name;
+        body.check(path);
+        append_body(name,
+                    body.is_rigid,
+                    *make_body_mesh<dim>(
+                      body, path, parameters.input_directory, communicator),
+                    mesh.bodies,
+                    joined_mesh);
+      }
+
+    mesh.periodic_boundaries =
+      find_periodic_boundaries<dim>(periodic_requests, mesh.bodies);
+    check_periodicity(joined_mesh, mesh.periodic_boundaries, periodic_requests);
+
+    const auto distribute =
+      (parameters.partitioner == "METIS" ? distribute_with_metis<dim>
+                                         : distribute_with_p4est<dim>);
+    mesh.triangulation = distribute(joined_mesh,
+                                    mesh.periodic_boundaries,
+                                    parameters.global_refinements,
+                                    communicator);
+    return mesh;
+  }
+
+
+
+  template Mesh<2>
+  build_mesh<2>(const MeshParameters &,
+                const NamedList<BodyParameters> &,
+                const std::vector<PeriodicRequest> &,
+                const MPI_Comm);
+  template Mesh<3>
+  build_mesh<3>(const MeshParameters &,
+                const NamedList<BodyParameters> &,
+                const std::vector<PeriodicRequest> &,
+                const MPI_Comm);
+} // namespace stickslip

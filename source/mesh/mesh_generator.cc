@@ -1,0 +1,293 @@
+#include <stickslip/base/nearest_name.h>
+#include <stickslip/base/user_error.h>
+#include <stickslip/mesh/mesh_checks.h>
+#include <stickslip/mesh/mesh_generator.h>
+#include <stickslip/mesh/mesh_shapes.h>
+#include <stickslip/mesh/subdivided_line.h>
+
+#include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
+
+#include <deal.II/grid/grid_generator.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip
+{
+  const std::vector<GeneratorDescription> &
+  generator_descriptions()
+  {
+    using Argument = GeneratorArgument;
+
+    const Argument left{"left", "0", "0"};
+    const Argument right{"right", "1", "1"};
+    const Argument colorize{"colorize", "false", "false"};
+    const Argument p1{"first corner", "", ""};
+    const Argument p2{"opposite corner", "", ""};
+    const Argument centre{"centre", "0, 0", "0, 0, 0"};
+    const Argument radius{"radius", "1", "1"};
+    const Argument half_length{"half length", "1", "1"};
+    const Argument inner_radius{"inner radius", "", ""};
+    const Argument outer_radius{"outer radius", "", ""};
+    const Argument n_cells{"number of cells", "0", "0"};
+
+    // clang-format off
+    static const std::vector<GeneratorDescription> descriptions = {
+      {"annular_sector", 0, {inner_radius, outer_radius, {"first angle", "", ""}, {"last angle", "", ""},
+                             {"radial cells", "", ""}, {"angular cells", "", ""}, {"length", "1", "1"}, {"axial cells", "1", "1"}}, true},
+      {"channel_with_cylinder", 0, {{"shell region width", "0.03", "0.03"}, {"number of shells", "2", "2"}, {"skewness", "2", "2"}, colorize}, false},
+      {"cheese", 0, {{"holes per direction", "", ""}}, false},
+      {"concentric_hyper_shells", 0, {centre, {"inner radius", "0.125", "0.125"}, {"outer radius", "0.25", "0.25"}, {"number of shells", "1", "1"},
+                                      {"skewness", "0.1", "0.1"}, {"cells per shell", "0", "0"}, colorize}, false},
+      {"cylinder", 0, {radius, half_length}, false},
+      {"cylinder_shell", 3, {{"length", "", ""}, inner_radius, outer_radius, {"radial cells", "0", "0"}, {"axial cells", "0", "0"}}, false},
+      {"eccentric_hyper_shell", 0, {{"inner centre", "", ""}, {"outer centre", "", ""}, inner_radius, outer_radius, {"number of cells", "", ""}}, false},
+      {"enclosed_hyper_cube", 0, {left, right, {"thickness", "1", "1"}, colorize}, false},
+      {"general_cell", 0, {{"vertices (points separated by ';')", "", ""}, colorize}, false},
+      {"graded_hyper_rectangle", 0, {{"x positions", "", ""}, {"y positions", "", ""}, {"z positions", "none", ""}}, true},
+      {"half_hyper_ball", 0, {centre, radius}, false},
+      {"half_hyper_shell", 0, {centre, inner_radius, outer_radius, n_cells, colorize}, false},
+      {"hyper_L", 0, {{"left", "-1", "-1"}, right, colorize}, false},
+      {"hyper_ball", 0, {centre, radius, {"spherical manifold on boundary cells", "false", "false"}}, false},
+      {"hyper_ball_balanced", 0, {centre, radius}, false},
+      {"hyper_cross", 0, {{"sizes", "", ""}, colorize}, false},
+      {"hyper_cube", 0, {left, right, colorize}, false},
+      {"hyper_cube_slit", 0, {left, right, colorize}, false},
+      {"hyper_cube_with_cylindrical_hole", 0, {{"inner radius", "0.25", "0.25"}, {"outer radius", "0.5", "0.5"}, {"length", "0.5", "0.5"},
+                                               {"repetitions", "1", "1"}, colorize}, false},
+      {"hyper_rectangle", 0, {p1, p2, colorize}, false},
+      {"hyper_shell", 0, {centre, inner_radius, outer_radius, n_cells, colorize}, false},
+      {"moebius", 3, {{"cells", "", ""}, {"rotations", "", ""}, {"large radius", "", ""}, {"small radius", "", ""}}, false},
+      {"plate_with_a_hole", 0, {{"inner radius", "0.4", "0.4"}, {"outer radius", "1", "1"}, {"bottom pad", "2", "2"}, {"top pad", "2", "2"},
+                                {"left pad", "1", "1"}, {"right pad", "1", "1"}, centre, {"polar manifold id", "0", "0"},
+                                {"transfinite manifold id", "1", "1"}, {"thickness", "1", "1"}, {"slices", "2", "2"}, colorize}, false},
+      {"quarter_hyper_ball", 0, {centre, radius}, false},
+      {"quarter_hyper_shell", 0, {centre, inner_radius, outer_radius, n_cells, colorize}, false},
+      {"subdivided_cylinder", 3, {{"axial cells", "", ""}, radius, half_length}, false},
+      {"subdivided_hyper_cube", 0, {{"cells per direction", "", ""}, left, right, colorize}, false},
+      {"subdivided_hyper_rectangle", 0, {{"cells per direction", "", ""}, p1, p2, colorize}, false},
+      {"torus", 3, {{"large radius", "", ""}, {"small radius", "", ""}, {"toroidal cells", "6", "6"}, {"angle in radians", "6.283185307179586", "6.283185307179586"}}, false},
+      {"truncated_cone", 0, {{"first radius", "1", "1"}, {"last radius", "0.5", "0.5"}, half_length}, false},
+    };
+    // clang-format on
+    return descriptions;
+  }
+
+
+
+  std::vector<std::string>
+  generator_names(const unsigned int dim)
+  {
+    std::vector<std::string> names;
+    for (const GeneratorDescription &description : generator_descriptions())
+      if (description.dimension == 0 || description.dimension == dim)
+        names.push_back(description.name);
+    return names;
+  }
+
+
+
+  namespace
+  {
+    const GeneratorDescription &
+    find_generator(const std::string &name,
+                   const unsigned int dim,
+                   const std::string &path)
+    {
+      for (const GeneratorDescription &description : generator_descriptions())
+        if (description.name == name)
+          {
+            if (description.dimension != 0 && description.dimension != dim)
+              throw UserError(path + "/Generator: '" + name +
+                              "' exists only in " +
+                              std::to_string(description.dimension) + "D.");
+            return description;
+          }
+      const std::vector<std::string> names = generator_names(dim);
+      throw UserError(path + "/Generator: '" + name + "' is unknown." +
+                      did_you_mean(name, names) +
+                      " Known: " + quoted_list(names) + ".");
+    }
+
+
+
+    std::string
+    default_argument(const GeneratorArgument &argument, const unsigned int dim)
+    {
+      return dim == 2 ? argument.default_2d : argument.default_3d;
+    }
+
+
+
+    /// "'hyper_cube' takes left (0) : right (1) : colorize (false)".
+    std::string
+    generator_usage(const GeneratorDescription &generator,
+                    const unsigned int          dim)
+    {
+      std::string text;
+      for (const GeneratorArgument &argument : generator.arguments)
+        {
+          const std::string value = default_argument(argument, dim);
+          text += (text.empty() ? "" : " : ") + argument.name +
+                  (value.empty() ? "" : " (" + value + ")");
+        }
+      return "'" + generator.name + "' takes, separated by ':' and with " +
+             "defaults in parentheses: " + text + ". A point is " +
+             (dim == 2 ? "'x, y'." : "'x, y, z'.");
+    }
+
+
+
+    /// All arguments, trailing ones from the defaults.
+    std::vector<std::string>
+    complete_arguments(const GeneratorDescription &generator,
+                       const std::string          &arguments,
+                       const unsigned int          dim,
+                       const std::string          &path)
+    {
+      std::vector<std::string> values =
+        Utilities::split_string_list(arguments, ':');
+      if (values.size() > generator.arguments.size())
+        throw UserError(path + ": " + std::to_string(values.size()) +
+                        " arguments are too many. " +
+                        generator_usage(generator, dim));
+
+      values.resize(generator.arguments.size());
+      for (unsigned int i = 0; i < values.size(); ++i)
+        {
+          if (values[i].empty())
+            values[i] = default_argument(generator.arguments[i], dim);
+          if (values[i].empty())
+            throw UserError(path + ": the argument '" +
+                            generator.arguments[i].name + "' is missing. " +
+                            generator_usage(generator, dim));
+        }
+      return values;
+    }
+
+
+
+    template <int dim>
+    void
+    generate_annular_sector(const std::vector<std::string> &values,
+                            const std::string              &path,
+                            Triangulation<dim>             &triangulation)
+    {
+      AnnularSector sector;
+      sector.inner_radius = Utilities::string_to_double(values[0]);
+      sector.outer_radius = Utilities::string_to_double(values[1]);
+      sector.first_angle  = Utilities::string_to_double(values[2]);
+      sector.last_angle   = Utilities::string_to_double(values[3]);
+      const int n_radial  = Utilities::string_to_int(values[4]);
+      const int n_angular = Utilities::string_to_int(values[5]);
+      sector.length       = Utilities::string_to_double(values[6]);
+      const int n_axial   = Utilities::string_to_int(values[7]);
+
+      const double range = sector.last_angle - sector.first_angle;
+      if (!(sector.inner_radius > 0. &&
+            sector.outer_radius > sector.inner_radius))
+        throw UserError(path + ": needs 0 < inner radius < outer radius.");
+      if (!(range > 0. && range < 360. + 1e-9))
+        throw UserError(path +
+                        ": needs first angle < last angle, at most 360 "
+                        "degrees apart.");
+      if (n_radial < 1 || n_angular < 1 || n_axial < 1)
+        throw UserError(path + ": numbers of cells start at 1.");
+      if (range / n_angular > 120. + 1e-9)
+        throw UserError(path +
+                        ": a cell may cover at most 120 degrees; give "
+                        "more angular cells.");
+      if (!(sector.length > 0.))
+        throw UserError(path + ": the length must be positive.");
+
+      sector.n_radial  = n_radial;
+      sector.n_angular = n_angular;
+      sector.n_axial   = n_axial;
+      make_annular_sector(sector, triangulation);
+    }
+
+
+
+    template <int dim>
+    void
+    generate_own(const std::string              &name,
+                 const std::vector<std::string> &values,
+                 const std::string              &path,
+                 Triangulation<dim>             &triangulation)
+    {
+      if (name == "annular_sector")
+        return generate_annular_sector(values, path, triangulation);
+
+      std::array<std::vector<double>, dim> positions;
+      for (unsigned int d = 0; d < dim; ++d)
+        positions[d] = subdivided_line(values[d], path);
+      if (dim == 2 && values[2] != "none")
+        throw UserError(path + ": z positions exist only in 3D.");
+      make_graded_hyper_rectangle<dim>(positions, triangulation);
+    }
+
+
+
+    std::string
+    joined_arguments(const std::vector<std::string> &values)
+    {
+      std::string text;
+      for (const std::string &value : values)
+        text += (text.empty() ? "" : " : ") + value;
+      return text;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  generate_mesh(const std::string  &name,
+                const std::string  &arguments,
+                const std::string  &path,
+                Triangulation<dim> &triangulation)
+  {
+    const GeneratorDescription    &generator = find_generator(name, dim, path);
+    const std::string              where     = path + "/Arguments";
+    const std::vector<std::string> values =
+      complete_arguments(generator, arguments, dim, where);
+
+    try
+      {
+        if (generator.is_own)
+          generate_own(name, values, where, triangulation);
+        else
+          GridGenerator::generate_from_name_and_arguments(
+            triangulation, name, joined_arguments(values));
+      }
+    catch (const UserError &)
+      {
+        throw;
+      }
+    catch (const Patterns::Tools::ExcNoMatch &)
+      {
+        throw UserError(where + ": cannot understand '" + arguments + "'. " +
+                        generator_usage(generator, dim));
+      }
+    catch (const std::exception &exception)
+      {
+        throw UserError(where + ": '" + name + "' failed with '" + arguments +
+                        "'. " + short_message(exception) + " " +
+                        generator_usage(generator, dim));
+      }
+  }
+
+
+
+  template void
+  generate_mesh(const std::string &,
+                const std::string &,
+                const std::string &,
+                Triangulation<2> &);
+  template void
+  generate_mesh(const std::string &,
+                const std::string &,
+                const std::string &,
+                Triangulation<3> &);
+} // namespace stickslip

@@ -1,0 +1,31 @@
+#include <stickslip/base/user_error.h>
+#include <stickslip/mesh/mesh_parameters.h>
+
+namespace stickslip
+{
+  void
+  MeshParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Partitioner",
+                      partitioner,
+                      "How cells are distributed: p4est (along a space-filling "
+                      "curve; the mesh can be refined adaptively) or METIS "
+                      "(graph partitioning; the mesh stays as it is).",
+                      Patterns::Selection("p4est|METIS"));
+    prm.add_parameter("Global refinements",
+                      global_refinements,
+                      "Uniform refinements of all bodies, after those of each "
+                      "body.",
+                      Patterns::Integer(0, 12));
+  }
+
+
+
+  void
+  MeshParameters::check(const std::string &path) const
+  {
+    if (partitioner != "p4est" && partitioner != "METIS")
+      throw UserError(path + "/Partitioner: '" + partitioner +
+                      "' is unknown. Known: p4est, METIS.");
+  }
+} // namespace stickslip

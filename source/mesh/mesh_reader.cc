@@ -1,0 +1,172 @@
+#include <stickslip/base/user_error.h>
+#include <stickslip/mesh/mesh_checks.h>
+#include <stickslip/mesh/mesh_file_checks.h>
+#include <stickslip/mesh/mesh_reader.h>
+
+#include <deal.II/grid/grid_in.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// Reads the first file that exists, on rank 0. Returns whether there was
+    /// one, on all ranks.
+    bool
+    read_on_root(const std::vector<std::string> &candidates,
+                 const MPI_Comm                  communicator,
+                 std::string                    &contents)
+    {
+      std::pair<bool, std::string> result(false, "");
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        for (const std::string &candidate : candidates)
+          {
+            std::ifstream   file(candidate);
+            std::error_code error; // a directory opens, but cannot be read
+            if (file && !std::filesystem::is_directory(candidate, error))
+              {
+                result.first = true;
+                result.second.assign(std::istreambuf_iterator<char>(file), {});
+                break;
+              }
+          }
+      result   = Utilities::MPI::broadcast(communicator, result, 0);
+      contents = result.second;
+      return result.first;
+    }
+
+
+
+    std::string
+    extension_of(const std::string &file_name)
+    {
+      const auto  dot = file_name.rfind('.');
+      std::string extension =
+        (dot == std::string::npos ? "" : file_name.substr(dot + 1));
+      std::transform(extension.begin(),
+                     extension.end(),
+                     extension.begin(),
+                     [](const unsigned char c) { return std::tolower(c); });
+      return extension;
+    }
+
+
+
+    /// Abaqus and UCD share the extension inp; Abaqus keywords start with '*'.
+    std::string
+    detect_format(const std::string &file_name,
+                  const std::string &contents,
+                  const std::string &path)
+    {
+      const std::string extension = extension_of(file_name);
+      if (extension == "msh")
+        return "gmsh";
+      if (extension == "vtk" || extension == "ucd")
+        return extension;
+      if (extension == "inp")
+        return (contents.compare(0, 1, "*") == 0 ||
+                contents.find("\n*") != std::string::npos)
+                 ? "abaqus"
+                 : "ucd";
+      throw UserError(path + "/Mesh format: cannot tell the format of '" +
+                      file_name +
+                      "' from its extension (known: msh, inp, vtk, ucd). Give "
+                      "'Mesh format' as gmsh, abaqus, vtk or ucd.");
+    }
+
+
+
+    template <int dim>
+    void
+    parse_mesh(const std::string  &contents,
+               const std::string  &format,
+               Triangulation<dim> &triangulation)
+    {
+      // Without an end, deal.II's Abaqus reader waits for it forever.
+      std::istringstream stream(contents +
+                                (format == "abaqus" ? "\n*END STEP\n" : "\n"));
+      GridIn<dim>        grid_in(triangulation);
+      if (format == "gmsh")
+        grid_in.read_msh(stream);
+      else if (format == "abaqus")
+        grid_in.read_abaqus(stream);
+      else if (format == "vtk")
+        grid_in.read_vtk(stream);
+      else
+        grid_in.read_ucd(stream);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  read_mesh(const std::string  &file_name,
+            const std::string  &format,
+            const std::string  &directory,
+            const std::string  &path,
+            const MPI_Comm      communicator,
+            Triangulation<dim> &triangulation)
+  {
+    std::vector<std::string> candidates;
+    if (file_name[0] != '/' && !directory.empty())
+      candidates.push_back(directory + "/" + file_name);
+    candidates.push_back(file_name);
+
+    const std::string where = path + "/Mesh file: '" + file_name + "' ";
+    std::string       contents;
+    if (!read_on_root(candidates, communicator, contents))
+      {
+        std::string places;
+        for (const std::string &candidate : candidates)
+          places += (places.empty() ? "" : " and ") + candidate;
+        throw UserError(where + "cannot be read (tried " + places + ").");
+      }
+    if (contents.find_first_not_of(" \t\r\n") == std::string::npos)
+      throw UserError(where + "is empty.");
+
+    const std::string used_format =
+      (format == "automatic" ? detect_format(file_name, contents, path)
+                             : format);
+    const std::string kind = "is no usable " + std::to_string(dim) +
+                             "D mesh of " +
+                             (dim == 2 ? "quadrilaterals" : "hexahedra") +
+                             " in the format " + used_format;
+    const std::string complaint =
+      complaint_about_mesh_file(contents, used_format, dim);
+    if (!complaint.empty())
+      throw UserError(where + kind + ": " + complaint);
+
+    try
+      {
+        parse_mesh(contents, used_format, triangulation);
+      }
+    catch (const std::exception &exception)
+      {
+        throw UserError(where + kind +
+                        ". The reader says: " + short_message(exception));
+      }
+  }
+
+
+
+  template void
+  read_mesh(const std::string &,
+            const std::string &,
+            const std::string &,
+            const std::string &,
+            const MPI_Comm,
+            Triangulation<2> &);
+  template void
+  read_mesh(const std::string &,
+            const std::string &,
+            const std::string &,
+            const std::string &,
+            const MPI_Comm,
+            Triangulation<3> &);
+} // namespace stickslip

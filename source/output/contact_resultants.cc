@@ -1,0 +1,218 @@
+#include <stickslip/output/contact_resultants.h>
+
+#include <algorithm>
+#include <array>
+
+namespace stickslip
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// Everything that is summed over points and ranks, for one MPI call.
+    template <int dim>
+    struct ContactSums
+    {
+      static constexpr unsigned int n_values = 3 * dim + 3 + 8;
+
+      explicit ContactSums(double *values)
+        : normal_force(values)
+        , friction_force(values + dim)
+        , first_moment(values + 2 * dim)
+        , moment(values + 3 * dim)
+        , scalars(values + 3 * dim + 3)
+      {}
+
+      enum Scalar
+      {
+        pressure_integral,
+        reference_area,
+        current_area,
+        friction_work,
+        n_unpaired,
+        n_open,
+        n_stick,
+        n_slip
+      };
+
+      double *normal_force;
+      double *friction_force;
+      double *first_moment; ///< of the pressure: sum w p x
+      double *moment;
+      double *scalars;
+    };
+
+
+
+    /// x times f; in 2D only the out-of-plane component.
+    template <int dim>
+    Tensor<1, 3>
+    moment_of_force(const Point<dim> &position, const Tensor<1, dim> &force)
+    {
+      Tensor<1, 3> x, f;
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          x[d] = position[d];
+          f[d] = force[d];
+        }
+      return cross_product_3d(x, f);
+    }
+
+
+
+    template <int dim>
+    void
+    add_contact_point(const ContactPointResult<dim> &point,
+                      const ContactSums<dim>        &sums)
+    {
+      using Sums = ContactSums<dim>;
+
+      const double         w              = point.reference_weight;
+      const Tensor<1, dim> normal_force   = w * point.pressure * point.normal;
+      const Tensor<1, dim> friction_force = w * point.tangential_traction;
+      const Tensor<1, 3>   moment =
+        moment_of_force(point.position, normal_force + friction_force);
+      const bool is_closed =
+        point.state == ContactState::stick || point.state == ContactState::slip;
+
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          sums.normal_force[d] += normal_force[d];
+          sums.friction_force[d] += friction_force[d];
+          sums.first_moment[d] += w * point.pressure * point.position[d];
+        }
+      for (unsigned int d = 0; d < 3; ++d)
+        sums.moment[d] += moment[d];
+
+      sums.scalars[Sums::pressure_integral] += w * point.pressure;
+      if (is_closed)
+        {
+          sums.scalars[Sums::reference_area] += w;
+          sums.scalars[Sums::current_area] += w * point.area_ratio;
+        }
+      sums.scalars[Sums::friction_work] +=
+        w * (point.tangential_traction * point.slip);
+      sums.scalars[Sums::n_unpaired + static_cast<unsigned int>(point.state)] +=
+        1.;
+    }
+
+
+
+    template <int dim>
+    ContactResultants<dim>
+    resultants_from_sums(const ContactSums<dim> &sums,
+                         const double            max_pressure)
+    {
+      using Sums = ContactSums<dim>;
+
+      const auto count = [&](const unsigned int scalar) {
+        return static_cast<unsigned int>(sums.scalars[scalar] + 0.5);
+      };
+
+      ContactResultants<dim> result;
+      const double total_pressure = sums.scalars[Sums::pressure_integral];
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          result.normal_force[d]   = sums.normal_force[d];
+          result.friction_force[d] = sums.friction_force[d];
+          if (total_pressure > 0.)
+            result.centre_of_pressure[d] =
+              sums.first_moment[d] / total_pressure;
+        }
+      for (unsigned int d = 0; d < 3; ++d)
+        result.moment[d] = sums.moment[d];
+
+      result.reference_area = sums.scalars[Sums::reference_area];
+      result.current_area   = sums.scalars[Sums::current_area];
+      result.friction_work  = sums.scalars[Sums::friction_work];
+      result.max_pressure   = max_pressure;
+      result.n_unpaired     = count(Sums::n_unpaired);
+      result.n_stick        = count(Sums::n_stick);
+      result.n_slip         = count(Sums::n_slip);
+      result.n_points       = result.n_unpaired + count(Sums::n_open) +
+                        result.n_stick + result.n_slip;
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<std::pair<std::string, double>>
+  ContactResultants<dim>::named_values() const
+  {
+    constexpr std::array<char, 3> axis{{'x', 'y', 'z'}};
+
+    std::vector<std::pair<std::string, double>> values;
+    const auto add_vector = [&](const std::string &name, const auto &vector) {
+      for (unsigned int d = 0; d < dim; ++d)
+        values.emplace_back(name + "_" + axis[d], vector[d]);
+    };
+    add_vector("force", force());
+    add_vector("normal_force", normal_force);
+    add_vector("friction_force", friction_force);
+    for (unsigned int d = (dim == 2 ? 2 : 0); d < 3; ++d)
+      values.emplace_back(std::string("moment_") + axis[d], moment[d]);
+    add_vector("centre_of_pressure", centre_of_pressure);
+    values.emplace_back("contact_area", current_area);
+    values.emplace_back("reference_contact_area", reference_area);
+    values.emplace_back("max_pressure", max_pressure);
+    values.emplace_back("friction_work", friction_work);
+    values.emplace_back("closed_points", n_closed());
+    values.emplace_back("stick_points", n_stick);
+    values.emplace_back("slip_points", n_slip);
+    values.emplace_back("unpaired_points", n_unpaired);
+    return values;
+  }
+
+
+
+  template <int dim>
+  std::vector<ContactResultants<dim>>
+  compute_contact_resultants(const std::vector<ContactFaceResult<dim>> &faces,
+                             const unsigned int                         n_pairs,
+                             const MPI_Comm communicator)
+  {
+    constexpr unsigned int n_values = ContactSums<dim>::n_values;
+
+    std::vector<double> values(n_pairs * n_values, 0.);
+    std::vector<double> max_pressures(n_pairs, 0.);
+    for (const ContactFaceResult<dim> &face : faces)
+      {
+        AssertIndexRange(face.pair, n_pairs);
+        const ContactSums<dim> sums(&values[face.pair * n_values]);
+        for (const ContactPointResult<dim> &point : face.points)
+          {
+            add_contact_point(point, sums);
+            max_pressures[face.pair] =
+              std::max(max_pressures[face.pair], point.pressure);
+          }
+      }
+
+    if (n_pairs > 0)
+      {
+        Utilities::MPI::sum(values, communicator, values);
+        Utilities::MPI::max(max_pressures, communicator, max_pressures);
+      }
+
+    std::vector<ContactResultants<dim>> result;
+    for (unsigned int pair = 0; pair < n_pairs; ++pair)
+      result.push_back(
+        resultants_from_sums(ContactSums<dim>(&values[pair * n_values]),
+                             max_pressures[pair]));
+    return result;
+  }
+
+
+
+  template struct ContactResultants<2>;
+  template struct ContactResultants<3>;
+  template std::vector<ContactResultants<2>>
+  compute_contact_resultants(const std::vector<ContactFaceResult<2>> &,
+                             const unsigned int,
+                             const MPI_Comm);
+  template std::vector<ContactResultants<3>>
+  compute_contact_resultants(const std::vector<ContactFaceResult<3>> &,
+                             const unsigned int,
+                             const MPI_Comm);
+} // namespace stickslip

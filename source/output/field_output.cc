@@ -1,0 +1,129 @@
+#include <stickslip/output/field_output.h>
+#include <stickslip/output/stress_projection.h>
+
+#include <deal.II/fe/mapping_q_eulerian.h>
+
+#include <deal.II/numerics/data_out.h>
+
+#include <memory>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// Per active cell: body, material region and rank.
+    template <int dim>
+    struct CellFields
+    {
+      CellFields(const Triangulation<dim> &triangulation, const Bodies &bodies)
+        : body(triangulation.n_active_cells())
+        , material(triangulation.n_active_cells())
+        , rank(triangulation.n_active_cells())
+      {
+        for (const auto &cell : triangulation.active_cell_iterators())
+          if (cell->is_locally_owned())
+            {
+              const unsigned int i = cell->active_cell_index();
+              body[i]              = bodies.body_of(cell->material_id());
+              material[i]          = cell->material_id();
+              rank[i]              = cell->subdomain_id();
+            }
+      }
+
+      void
+      attach_to(DataOut<dim> &data_out) const
+      {
+        data_out.add_data_vector(body, "body", DataOut<dim>::type_cell_data);
+        data_out.add_data_vector(material,
+                                 "material",
+                                 DataOut<dim>::type_cell_data);
+        data_out.add_data_vector(rank, "rank", DataOut<dim>::type_cell_data);
+      }
+
+      Vector<float> body, material, rank;
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  FieldOutput<dim>::FieldOutput(const OutputParameters &parameters,
+                                const Bodies           &bodies,
+                                const MPI_Comm          communicator)
+    : deformed(parameters.deformed)
+    , higher_order_cells(parameters.higher_order_cells &&
+                         parameters.format == "vtu")
+    , bodies(bodies)
+    , series(parameters, "solution", communicator)
+  {}
+
+
+
+  template <int dim>
+  void
+  FieldOutput<dim>::resume(const double time)
+  {
+    series.resume(time);
+  }
+
+
+
+  template <int dim>
+  void
+  FieldOutput<dim>::write(const unsigned int         step,
+                          const double               time,
+                          const Mapping<dim>        &mapping,
+                          const DoFHandler<dim>     &dof_handler,
+                          const LA::Vector          &displacement,
+                          const StressFunction<dim> &stresses)
+  {
+    const unsigned int    degree = dof_handler.get_fe().degree;
+    const CellFields<dim> cell_fields(dof_handler.get_triangulation(), bodies);
+    std::unique_ptr<StressProjection<dim>> projection;
+
+    DataOut<dim> data_out;
+    data_out.attach_triangulation(dof_handler.get_triangulation());
+    data_out.add_data_vector(
+      dof_handler,
+      displacement,
+      std::vector<std::string>(dim, "displacement"),
+      std::vector<DataComponentInterpretation::DataComponentInterpretation>(
+        dim, DataComponentInterpretation::component_is_part_of_vector));
+    if (stresses)
+      {
+        projection = std::make_unique<StressProjection<dim>>(mapping,
+                                                             dof_handler,
+                                                             stresses);
+        data_out.add_data_vector(projection->get_dof_handler(),
+                                 projection->get_values(),
+                                 StressProjection<dim>::names(),
+                                 StressProjection<dim>::interpretations());
+      }
+    cell_fields.attach_to(data_out);
+
+    DataOutBase::VtkFlags flags;
+    flags.compression_level   = decltype(flags.compression_level)::best_speed;
+    flags.print_date_and_time = false;
+    flags.write_higher_order_cells = higher_order_cells && degree > 1;
+    data_out.set_flags(flags);
+
+    if (deformed)
+      data_out.build_patches(MappingQEulerian<dim, LA::Vector>(degree,
+                                                               dof_handler,
+                                                               displacement),
+                             degree,
+                             DataOut<dim>::curved_inner_cells);
+    else
+      data_out.build_patches(mapping, degree, DataOut<dim>::curved_inner_cells);
+
+    series.write(data_out,
+                 step,
+                 time,
+                 dim == 3 && flags.write_higher_order_cells);
+  }
+
+
+
+  template class FieldOutput<2>;
+  template class FieldOutput<3>;
+} // namespace stickslip

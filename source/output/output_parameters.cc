@@ -1,0 +1,94 @@
+#include <stickslip/base/user_error.h>
+#include <stickslip/output/output_parameters.h>
+
+namespace stickslip
+{
+  void
+  PointParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Body", body, "The body that the point belongs to.");
+    prm.add_parameter("Position",
+                      position,
+                      "Coordinates of the point in the undeformed body, one "
+                      "per dimension, separated by commas.");
+  }
+
+
+
+  void
+  PointParameters::check(const std::string &path) const
+  {
+    if (body.empty())
+      throw UserError(path + "/Body: the name of a body is needed.");
+    if (position.size() != 2 && position.size() != 3)
+      throw UserError(path + "/Position: found " +
+                      std::to_string(position.size()) +
+                      " coordinates, one per dimension is needed.");
+  }
+
+
+
+  void
+  OutputParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Directory",
+                      directory,
+                      "Where all files of the run go; created if needed.");
+    prm.add_parameter("Every n steps",
+                      every_n_steps,
+                      "Write the fields after every n-th accepted step. The "
+                      "statistics have a row for each step.",
+                      Patterns::Integer(1));
+    prm.add_parameter("Format",
+                      format,
+                      "'vtu': VTU files with PVTU and PVD records. 'hdf5': one "
+                      "HDF5 file per step and an XDMF record.",
+                      Patterns::Selection("vtu|hdf5"));
+    prm.add_parameter("Grouped files",
+                      grouped_files,
+                      "Number of VTU files per step that the ranks share; 0: "
+                      "one file per rank, as always for higher order cells "
+                      "in 3D.",
+                      Patterns::Integer(0));
+    prm.add_parameter("Higher order cells",
+                      higher_order_cells,
+                      "Write displacements of degree 2 and more as curved "
+                      "Lagrange cells (VTU; ParaView 5.5 or newer) instead of "
+                      "subdivided linear ones.");
+    prm.add_parameter("Deformed",
+                      deformed,
+                      "Write the deformed grid. Otherwise warp the undeformed "
+                      "one by the field 'displacement'.");
+    prm.add_parameter("Verbosity",
+                      verbosity,
+                      "On the screen: 'progress' (a line per step, terse in a "
+                      "pipe, and the results), 'results' (numbers only) or "
+                      "'quiet' (errors only).",
+                      Patterns::Selection("progress|results|quiet"));
+    prm.add_parameter("Checkpoint every n steps",
+                      checkpoint_interval,
+                      "Save the state after every n-th accepted step, so that "
+                      "the run can be continued; 0: never.",
+                      Patterns::Integer(0));
+
+    prm.enter_subsection("Points");
+    for (auto &[name, point] : points)
+      {
+        prm.enter_subsection(name);
+        point.add_parameters(prm);
+        prm.leave_subsection();
+      }
+    prm.leave_subsection();
+  }
+
+
+
+  void
+  OutputParameters::check(const std::string &path) const
+  {
+    if (directory.empty())
+      throw UserError(path + "/Directory: a name is needed ('.' for here).");
+    for (const auto &[name, point] : points)
+      point.check(path + "/Points/" + name);
+  }
+} // namespace stickslip

@@ -1,0 +1,230 @@
+#include <stickslip/base/user_error.h>
+#include <stickslip/output/point_values.h>
+
+#include <deal.II/base/geometry_info.h>
+
+#include <deal.II/grid/cell_id.h>
+
+#include <array>
+#include <limits>
+#include <sstream>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// A point this far outside (in units of a cell) still belongs to a cell.
+    constexpr double outside_cell_tolerance = 0.05;
+
+    /// Below this distance it is inside, up to roundoff: cells of equal right.
+    constexpr double inside_cell_tolerance = 1e-8;
+
+    /// A rank's offer to own a point; the smallest wins.
+    struct PointOffer
+    {
+      double      distance = std::numeric_limits<double>::max();
+      std::string cell_id;
+
+      bool
+      operator<(const PointOffer &other) const
+      {
+        // Distances of equal cells may differ by roundoff.
+        if (std::abs(distance - other.distance) > inside_cell_tolerance)
+          return distance < other.distance;
+        if (cell_id.size() != other.cell_id.size())
+          return cell_id.size() < other.cell_id.size();
+        return cell_id < other.cell_id;
+      }
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &distance &cell_id;
+      }
+    };
+  } // namespace
+
+
+
+  template <int dim>
+  PointValues<dim>::PointValues(const OutputParameters &parameters,
+                                const Bodies           &bodies,
+                                const MPI_Comm          communicator)
+    : bodies(bodies)
+    , communicator(communicator)
+    , table(parameters.directory + "/points",
+            communicator,
+            /*write_text=*/false)
+  {
+    for (const auto &[name, point] : parameters.points)
+      {
+        const std::string path = "Output/Points/" + name;
+        if (point.position.size() != dim)
+          throw UserError(path + "/Position: found " +
+                          std::to_string(point.position.size()) +
+                          " coordinates, the problem has " +
+                          std::to_string(dim) + " dimensions.");
+        NamedPoint named_point;
+        named_point.name = name;
+        named_point.body = bodies.index_of(point.body, path + "/Body");
+        for (unsigned int d = 0; d < dim; ++d)
+          named_point.position[d] = point.position[d];
+        points.push_back(named_point);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  PointValues<dim>::locate(const Mapping<dim>    &mapping,
+                           const DoFHandler<dim> &dof_handler)
+  {
+    locations.clear();
+    std::vector<PointOffer> offers(points.size());
+    for (unsigned int p = 0; p < points.size(); ++p)
+      {
+        locations.push_back(locate_locally(points[p], mapping, dof_handler));
+        if (locations[p].cell.state() == IteratorState::valid)
+          {
+            offers[p].distance = locations[p].distance;
+            offers[p].cell_id  = locations[p].cell->id().to_string();
+          }
+      }
+
+    const auto all_offers = Utilities::MPI::all_gather(communicator, offers);
+    const unsigned int this_rank =
+      Utilities::MPI::this_mpi_process(communicator);
+    for (unsigned int p = 0; p < points.size(); ++p)
+      {
+        unsigned int owner = 0;
+        for (unsigned int rank = 1; rank < all_offers.size(); ++rank)
+          if (all_offers[rank][p] < all_offers[owner][p])
+            owner = rank;
+
+        if (all_offers[owner][p].distance > outside_cell_tolerance)
+          {
+            std::ostringstream position;
+            position << points[p].position;
+            throw UserError("Output/Points/" + points[p].name +
+                            "/Position: the body '" +
+                            bodies.bodies[points[p].body].name +
+                            "' has no cell that contains (" + position.str() +
+                            ") in its undeformed mesh.");
+          }
+        if (owner != this_rank)
+          locations[p] = Location();
+      }
+  }
+
+
+
+  template <int dim>
+  typename PointValues<dim>::Location
+  PointValues<dim>::locate_locally(const NamedPoint      &point,
+                                   const Mapping<dim>    &mapping,
+                                   const DoFHandler<dim> &dof_handler) const
+  {
+    Location   best;
+    PointOffer best_offer;
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned() &&
+          bodies.body_of(cell->material_id()) == point.body)
+        {
+          // The sphere around a cell; a quarter more for curved sides.
+          if (cell->center().distance(point.position) > 0.75 * cell->diameter())
+            continue;
+          Point<dim> unit_point;
+          try
+            {
+              unit_point =
+                mapping.transform_real_to_unit_cell(cell, point.position);
+            }
+          catch (const typename Mapping<dim>::ExcTransformationFailed &)
+            {
+              continue; // far outside of a distorted cell
+            }
+          PointOffer offer;
+          offer.distance = GeometryInfo<dim>::distance_to_unit_cell(unit_point);
+          offer.cell_id  = cell->id().to_string();
+          if (offer.distance <= outside_cell_tolerance && offer < best_offer)
+            {
+              best_offer = offer;
+              best.cell  = cell;
+              best.unit_point =
+                GeometryInfo<dim>::project_to_unit_cell(unit_point);
+              best.distance = offer.distance;
+            }
+        }
+    return best;
+  }
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>>
+  PointValues<dim>::evaluate(const DoFHandler<dim> &dof_handler,
+                             const LA::Vector      &displacement) const
+  {
+    AssertDimension(locations.size(), points.size());
+    const FiniteElement<dim> &element = dof_handler.get_fe();
+    Vector<double>            cell_values(element.n_dofs_per_cell());
+    std::vector<double>       values(points.size() * dim, 0.);
+
+    for (unsigned int p = 0; p < points.size(); ++p)
+      if (locations[p].cell.state() == IteratorState::valid)
+        {
+          locations[p].cell->get_dof_values(displacement, cell_values);
+          for (unsigned int i = 0; i < cell_values.size(); ++i)
+            values[p * dim + element.system_to_component_index(i).first] +=
+              cell_values[i] * element.shape_value(i, locations[p].unit_point);
+        }
+    // All but the owner contribute zeros, so that the sum is exact.
+    if (!values.empty())
+      Utilities::MPI::sum(values, communicator, values);
+
+    std::vector<Tensor<1, dim>> result(points.size());
+    for (unsigned int p = 0; p < points.size(); ++p)
+      for (unsigned int d = 0; d < dim; ++d)
+        result[p][d] = values[p * dim + d];
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  PointValues<dim>::resume(const double time)
+  {
+    table.resume(time);
+  }
+
+
+
+  template <int dim>
+  void
+  PointValues<dim>::write(const unsigned int     step,
+                          const double           time,
+                          const DoFHandler<dim> &dof_handler,
+                          const LA::Vector      &displacement)
+  {
+    if (points.empty())
+      return;
+
+    constexpr std::array<const char *, 3> axis{{"_x", "_y", "_z"}};
+    const std::vector<Tensor<1, dim>>     values =
+      evaluate(dof_handler, displacement);
+    table.add("step", step);
+    table.add("time", time);
+    for (unsigned int p = 0; p < points.size(); ++p)
+      for (unsigned int d = 0; d < dim; ++d)
+        table.add(points[p].name + axis[d], values[p][d]);
+    table.finish_row();
+  }
+
+
+
+  template class PointValues<2>;
+  template class PointValues<3>;
+} // namespace stickslip

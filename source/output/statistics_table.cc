@@ -1,0 +1,279 @@
+#include <stickslip/output/output_directory.h>
+#include <stickslip/output/statistics_table.h>
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <optional>
+#include <sstream>
+
+namespace stickslip
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /// The shortest text that reads back as the same number.
+    std::string
+    exact_number(const double value)
+    {
+      std::array<char, 40> buffer;
+      const auto           result =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+      return std::string(buffer.data(), result.ptr);
+    }
+
+    std::optional<double>
+    number_in_cell(const std::string &cell)
+    {
+      double     value = 0.;
+      const auto result =
+        std::from_chars(cell.data(), cell.data() + cell.size(), value);
+      if (cell.empty() || result.ec != std::errc() ||
+          result.ptr != cell.data() + cell.size())
+        return {};
+      return value;
+    }
+
+    std::string
+    quoted_for_csv(const std::string &cell)
+    {
+      if (cell.find_first_of(",\"\n") == std::string::npos)
+        return cell;
+      std::string result = "\"";
+      for (const char c : cell)
+        result += (c == '"' ? "\"\"" : std::string(1, c));
+      return result + "\"";
+    }
+
+    /// RFC 4180, without line breaks in a cell.
+    std::vector<std::string>
+    split_csv_line(const std::string &line)
+    {
+      std::vector<std::string> cells(1);
+      bool                     is_quoted = false;
+      for (std::size_t i = 0; i < line.size(); ++i)
+        if (line[i] == '"')
+          {
+            if (is_quoted && i + 1 < line.size() && line[i + 1] == '"')
+              cells.back() += line[i++];
+            else
+              is_quoted = !is_quoted;
+          }
+        else if (line[i] == ',' && !is_quoted)
+          cells.emplace_back();
+        else if (line[i] != '\r')
+          cells.back() += line[i];
+      return cells;
+    }
+
+    /// For people: six digits, empty cells as '-', no blanks within a cell.
+    std::string
+    readable_cell(const std::string &cell)
+    {
+      if (cell.empty())
+        return "-";
+      if (const std::optional<double> value = number_in_cell(cell))
+        {
+          std::ostringstream text;
+          text << std::setprecision(6) << *value;
+          return text.str();
+        }
+      std::string text = cell;
+      std::replace(text.begin(), text.end(), ' ', '_');
+      return text;
+    }
+  } // namespace
+
+
+
+  StatisticsTable::StatisticsTable(const std::string &base_name,
+                                   const MPI_Comm     communicator,
+                                   const bool         write_text)
+    : base_name(base_name)
+    , communicator(communicator)
+    , write_text(write_text)
+    , is_writer(Utilities::MPI::this_mpi_process(communicator) == 0)
+  {}
+
+
+
+  void
+  StatisticsTable::resume(const double time, const std::string &time_column)
+  {
+    std::string error;
+    if (is_writer)
+      {
+        columns.clear();
+        index_of_column.clear();
+        rows.clear();
+        must_rewrite = true;
+
+        std::ifstream file(base_name + ".csv");
+        std::string   line;
+        if (std::getline(file, line) && !line.empty())
+          for (const std::string &column : split_csv_line(line))
+            {
+              index_of_column[column] = columns.size();
+              columns.push_back(column);
+            }
+        if (!columns.empty() && index_of_column.count(time_column) == 0)
+          error = "Cannot continue '" + base_name +
+                  ".csv': it has no column '" + time_column + "'.";
+        else
+          while (std::getline(file, line))
+            {
+              const Row  row      = split_csv_line(line);
+              const auto column   = index_of_column.at(time_column);
+              const auto row_time = column < row.size()
+                                      ? number_in_cell(row[column])
+                                      : std::optional<double>();
+              // A row without a time was cut off by the end of the old run.
+              if (row_time && row.size() <= columns.size() &&
+                  *row_time <= time + 1e-12 * std::abs(time))
+                rows.push_back(row);
+            }
+      }
+    throw_if_rank_0_failed(error, communicator);
+  }
+
+
+
+  void
+  StatisticsTable::add(const std::string &column, const double value)
+  {
+    add_text(column, exact_number(value));
+  }
+
+
+
+  void
+  StatisticsTable::add(const std::string &column, const unsigned int value)
+  {
+    add_text(column, std::to_string(value));
+  }
+
+
+
+  void
+  StatisticsTable::add(const std::string &column, const int value)
+  {
+    add_text(column, std::to_string(value));
+  }
+
+
+
+  void
+  StatisticsTable::add(const std::string &column, const std::string &value)
+  {
+    add_text(column, value);
+  }
+
+
+
+  void
+  StatisticsTable::add(const std::string &column, const char *value)
+  {
+    add_text(column, value);
+  }
+
+
+
+  void
+  StatisticsTable::add_text(const std::string &column, const std::string &csv)
+  {
+    if (!is_writer)
+      return;
+    const auto [position, is_new] =
+      index_of_column.try_emplace(column, columns.size());
+    if (is_new)
+      {
+        columns.push_back(column);
+        must_rewrite = true;
+      }
+    current_row.resize(columns.size());
+    current_row[position->second] = csv;
+  }
+
+
+
+  void
+  StatisticsTable::finish_row()
+  {
+    std::string error;
+    if (is_writer)
+      {
+        rows.push_back(current_row);
+        current_row.clear();
+        error        = must_rewrite ? rewrite_files() : append_last_row();
+        must_rewrite = false;
+      }
+    throw_if_rank_0_failed(error, communicator);
+  }
+
+
+
+  std::string
+  StatisticsTable::csv_line(const Row &row) const
+  {
+    std::string line;
+    for (unsigned int c = 0; c < columns.size(); ++c)
+      line += (c > 0 ? "," : "") +
+              (c < row.size() ? quoted_for_csv(row[c]) : std::string());
+    return line + "\n";
+  }
+
+
+
+  std::string
+  StatisticsTable::text_line(const Row &row) const
+  {
+    std::ostringstream line;
+    for (unsigned int c = 0; c < columns.size(); ++c)
+      line << (c > 0 ? "  " : "")
+           << std::setw(std::max<int>(columns[c].size(), 12))
+           << readable_cell(c < row.size() ? row[c] : "");
+    return line.str() + "\n";
+  }
+
+
+
+  std::string
+  StatisticsTable::rewrite_files() const
+  {
+    std::string csv  = csv_line(columns);
+    std::string text = text_line(columns);
+    for (const Row &row : rows)
+      {
+        csv += csv_line(row);
+        text += text_line(row);
+      }
+    const std::string error = write_file_atomically(base_name + ".csv", csv);
+    return error.empty() && write_text
+             ? write_file_atomically(base_name + ".txt", text)
+             : error;
+  }
+
+
+
+  std::string
+  StatisticsTable::append_last_row() const
+  {
+    const auto append = [](const std::string &name, const std::string &line) {
+      std::ofstream file(name, std::ios::app);
+      file << line << std::flush;
+      return file ? std::string() : "Cannot write '" + name + "'.";
+    };
+
+    const std::string error = append(base_name + ".csv", csv_line(rows.back()));
+    return error.empty() && write_text
+             ? append(base_name + ".txt", text_line(rows.back()))
+             : error;
+  }
+} // namespace stickslip

@@ -1,0 +1,49 @@
+#include <stickslip/problem/dof_layout.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/fe/fe_q.h>
+
+namespace stickslip
+{
+  template <int dim>
+  DofLayout<dim>::DofLayout(
+    const parallel::DistributedTriangulationBase<dim> &triangulation,
+    const unsigned int                                 degree)
+    : mapping(degree)
+    , fe(FE_Q<dim>(degree), dim)
+    , dof_handler(triangulation)
+  {
+    dof_handler.distribute_dofs(fe);
+    owned = dof_handler.locally_owned_dofs();
+    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+  }
+
+
+
+  IndexSet
+  combined_index_set(const IndexSet &displacements, const IndexSet &multipliers)
+  {
+    IndexSet combined(displacements.size() + multipliers.size());
+    combined.add_indices(displacements);
+    combined.add_indices(multipliers, displacements.size());
+    combined.compress();
+    return combined;
+  }
+
+
+
+  void
+  copy_lines(const Constraints &from, Constraints &to)
+  {
+    for (const auto &line : from.get_lines())
+      {
+        to.add_line(line.index);
+        to.add_entries(line.index, line.entries);
+        to.set_inhomogeneity(line.index, line.inhomogeneity);
+      }
+  }
+
+  template class DofLayout<2>;
+  template class DofLayout<3>;
+} // namespace stickslip

@@ -1,0 +1,160 @@
+#include <stickslip/base/user_error.h>
+
+#include <stickslip/simulation/case_parameters.h>
+
+namespace stickslip
+{
+  namespace
+  {
+    template <typename T>
+    void
+    add_named_list(ParameterHandler  &prm,
+                   const std::string &section,
+                   NamedList<T>      &list)
+    {
+      prm.enter_subsection(section);
+      for (auto &[name, member] : list)
+        {
+          prm.enter_subsection(name);
+          member.add_parameters(prm);
+          prm.leave_subsection();
+        }
+      prm.leave_subsection();
+    }
+
+
+
+    template <typename T>
+    void
+    check_named_list(const std::string &section, const NamedList<T> &list)
+    {
+      for (const auto &[name, member] : list)
+        member.check(section + "/" + name);
+    }
+  } // namespace
+
+
+
+  void
+  CaseParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Title", title, "A line about the case, for the log.");
+    prm.add_parameter("Dimension",
+                      dimension,
+                      "2 (plane strain unless a material says plane stress) or "
+                      "3.",
+                      Patterns::Integer(2, 3));
+    prm.add_parameter("Degree",
+                      degree,
+                      "Polynomial degree of the displacement.",
+                      Patterns::Integer(1, 6));
+    add_named_list(prm, "Bodies", bodies);
+    add_named_list(prm, "Materials", materials);
+    add_named_list(prm, "Boundary conditions", boundary_conditions);
+    add_named_list(prm, "Contact", contact_pairs);
+    prm.enter_subsection("Mesh");
+    mesh.add_parameters(prm);
+    prm.leave_subsection();
+    prm.enter_subsection("Algorithm");
+    algorithm.add_parameters(prm);
+    prm.leave_subsection();
+    prm.enter_subsection("Load stepping");
+    load_stepping.add_parameters(prm);
+    prm.leave_subsection();
+    prm.enter_subsection("Linear solver");
+    linear_solver.add_parameters(prm);
+    prm.leave_subsection();
+    prm.enter_subsection("Output");
+    output.add_parameters(prm);
+    prm.leave_subsection();
+    add_named_list(prm, "Checks", checks);
+  }
+
+
+
+  void
+  CaseParameters::read(const ParameterFile &file)
+  {
+    file.declare_names("Bodies", bodies);
+    file.declare_names("Materials", materials);
+    file.declare_names("Boundary conditions", boundary_conditions);
+    file.declare_names("Contact", contact_pairs);
+    file.declare_names("Output/Points", output.points);
+    file.declare_names("Checks", checks);
+    for (auto &[name, material] : materials)
+      {
+        const std::string path = "Materials/" + name;
+        material.choose_law(file.value_of(path, "Law").value_or(material.law),
+                            path);
+      }
+    ParameterHandler prm;
+    add_parameters(prm);
+    file.apply_to(prm);
+    mesh.input_directory = file.directory();
+    check();
+  }
+
+
+
+  void
+  CaseParameters::declare_all(CaseParameters &parameters, ParameterHandler &prm)
+  {
+    parameters.bodies.emplace_back("<body>", BodyParameters());
+    for (const std::string &law : constitutive_law_names())
+      {
+        parameters.materials.emplace_back("<" + law + " material>",
+                                          MaterialParameters());
+        parameters.materials.back().second.choose_law(law, "Materials");
+      }
+    parameters.boundary_conditions.emplace_back("<condition>",
+                                                BoundaryConditionParameters());
+    parameters.contact_pairs.emplace_back("<pair>", ContactPairParameters());
+    parameters.output.points.emplace_back("<point>", PointParameters());
+    parameters.checks.emplace_back("<check>", ReferenceCheckParameters());
+    parameters.add_parameters(prm);
+  }
+
+
+
+  void
+  CaseParameters::check() const
+  {
+    if (bodies.empty())
+      throw UserError(
+        "Section 'Bodies' names no body. Add one: 'subsection "
+        "Bodies', 'subsection block', ...");
+    mesh.check("Mesh");
+    check_named_list("Bodies", bodies);
+    for (const auto &[name, material] : materials)
+      material.check("Materials/" + name, dimension);
+    check_named_list("Boundary conditions", boundary_conditions);
+    check_named_list("Contact", contact_pairs);
+    load_stepping.check("Load stepping");
+    output.check("Output");
+    for (const auto &[name, point] : output.points)
+      point.check("Output/Points/" + name);
+    check_named_list("Checks", checks);
+  }
+
+
+
+  std::vector<PeriodicRequest>
+  CaseParameters::periodic_requests() const
+  {
+    std::vector<PeriodicRequest> requests;
+    for (const auto &[name, condition] : boundary_conditions)
+      if (condition.condition_type() == BoundaryConditionType::periodic)
+        {
+          const std::string path = "Boundary conditions/" + name;
+          PeriodicRequest   request;
+          request.parameter_path = path;
+          request.body           = condition.body;
+          request.first          = condition.boundary.at(0);
+          request.second         = condition.second_boundary.at(0);
+          request.direction = dimension == 2 ? condition.periodic_axis<2>(path)
+                                             : condition.periodic_axis<3>(path);
+          requests.push_back(request);
+        }
+    return requests;
+  }
+} // namespace stickslip

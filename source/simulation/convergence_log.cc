@@ -1,0 +1,64 @@
+#include <stickslip/simulation/convergence_log.h>
+
+#include <iomanip>
+
+namespace stickslip
+{
+  ConvergenceLog::ConvergenceLog(const std::string &directory,
+                                 const MPI_Comm    &communicator)
+  {
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      file.open(directory + "/convergence.log", std::ios::app);
+  }
+
+
+
+  void
+  ConvergenceLog::begin_step(const unsigned int step,
+                             const double       time,
+                             const double       size)
+  {
+    if (file.is_open())
+      file << "step " << step << " to t = " << time << " (size " << size
+           << ")\n        Newton   equilibrium       contact    prescribed"
+              "     increment   length"
+           << std::endl;
+  }
+
+
+
+  void
+  ConvergenceLog::newton_iteration(const unsigned int     iteration,
+                                   const NewtonIteration &state)
+  {
+    if (file.is_open())
+      file << std::setw(14) << iteration << std::scientific
+           << std::setprecision(4) << std::setw(14) << state.equilibrium
+           << std::setw(14) << state.contact << std::setw(14)
+           << state.prescribed << std::setw(14) << state.increment
+           << std::defaultfloat << std::setw(9) << state.step_length
+           << std::endl;
+  }
+
+
+
+  void
+  ConvergenceLog::loop_pass(const std::string &quantity,
+                            const unsigned int pass,
+                            const double       change,
+                            const unsigned int depth)
+  {
+    if (file.is_open())
+      file << std::string(2 + 2 * depth, ' ') << quantity << " pass " << pass
+           << ": change " << change << std::endl;
+  }
+
+
+
+  void
+  ConvergenceLog::note(const std::string &text)
+  {
+    if (file.is_open())
+      file << text << std::endl;
+  }
+} // namespace stickslip

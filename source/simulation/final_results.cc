@@ -1,0 +1,48 @@
+#include <stickslip/simulation/final_results.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <map>
+#include <ostream>
+#include <sstream>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// Fraction of the largest value of a family that counts as roundoff.
+    constexpr double roundoff = 1e-8;
+  } // namespace
+
+
+
+  void
+  FinalResults::add(const std::string &family,
+                    const std::string &name,
+                    const double       value)
+  {
+    families.push_back(family);
+    named_values.emplace_back(name, value);
+  }
+
+
+
+  void
+  FinalResults::print(std::ostream &out) const
+  {
+    std::map<std::string, double> largest;
+    for (unsigned int i = 0; i < named_values.size(); ++i)
+      largest[families[i]] =
+        std::max(largest[families[i]], std::abs(named_values[i].second));
+    for (unsigned int i = 0; i < named_values.size(); ++i)
+      {
+        const auto &[name, value] = named_values[i];
+        std::ostringstream number;
+        number << std::setprecision(6)
+               << (std::abs(value) < roundoff * largest[families[i]] ? 0.
+                                                                     : value);
+        out << std::left << std::setw(32) << name << number.str() << '\n';
+      }
+  }
+} // namespace stickslip

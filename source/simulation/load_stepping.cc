@@ -1,0 +1,163 @@
+#include <stickslip/base/user_error.h>
+
+#include <stickslip/simulation/load_stepping.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// Times closer than this fraction of the whole interval are the same.
+    constexpr double same_time = 1e-10;
+  } // namespace
+
+
+
+  void
+  LoadSteppingParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("End time",
+                      end_time,
+                      "Load time t at the end; it starts at 0.",
+                      Patterns::Double());
+    prm.add_parameter("Initial step",
+                      initial_step,
+                      "First step in t.",
+                      Patterns::Double());
+    prm.add_parameter("Minimum step",
+                      minimum_step,
+                      "The run stops if a step this small fails. 0: a "
+                      "thousandth of the initial step.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Maximum step",
+                      maximum_step,
+                      "Steps do not grow beyond this. 0: the initial step.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Cut factor",
+                      cut_factor,
+                      "A failed step is multiplied by this.",
+                      Patterns::Double(0.01, 0.99));
+    prm.add_parameter("Growth factor",
+                      growth_factor,
+                      "After an easy step the next one is multiplied by this.",
+                      Patterns::Double(1.));
+    prm.add_parameter("Easy iterations",
+                      easy_iterations,
+                      "A step is easy if it took at most this many Newton "
+                      "iterations.",
+                      Patterns::Integer(0));
+    prm.add_parameter("Requested times",
+                      requested_times,
+                      "Times that steps must hit exactly.",
+                      Patterns::List(Patterns::Double()));
+  }
+
+
+
+  void
+  LoadSteppingParameters::check(const std::string &path) const
+  {
+    const auto require = [&path](const bool ok, const std::string &text) {
+      if (!ok)
+        throw UserError("'" + path + "/" + text);
+    };
+    require(end_time > 0., "End time' must be larger than 0.");
+    require(initial_step > 0., "Initial step' must be larger than 0.");
+    require(minimum_step <= initial_step,
+            "Minimum step' must not exceed 'Initial step'.");
+    require(maximum_step == 0. || maximum_step >= initial_step,
+            "Maximum step' must not be below 'Initial step' (or 0).");
+    for (const double time : requested_times)
+      require(time > 0. && time <= end_time,
+              "Requested times': all must lie between 0 and 'End time'.");
+  }
+
+
+
+  LoadStepping::LoadStepping(const LoadSteppingParameters &given)
+    : parameters([&given] {
+      LoadSteppingParameters p = given;
+      if (p.minimum_step == 0.)
+        p.minimum_step = 1e-3 * p.initial_step;
+      if (p.maximum_step == 0.)
+        p.maximum_step = p.initial_step;
+      std::sort(p.requested_times.begin(), p.requested_times.end());
+      return p;
+    }())
+    , step(parameters.initial_step)
+  {}
+
+
+
+  bool
+  LoadStepping::finished() const
+  {
+    return current_time >= parameters.end_time * (1. - same_time);
+  }
+
+
+
+  double
+  LoadStepping::propose_step()
+  {
+    double target = parameters.end_time;
+    for (const double time : parameters.requested_times)
+      if (time > current_time + same_time * parameters.end_time)
+        {
+          target = std::min(target, time);
+          break;
+        }
+    // A step that nearly reaches the target takes all of it; a rest is shared,
+    // so that no tiny step remains.
+    const double rest = target - current_time;
+    proposed_time     = current_time + step;
+    if (rest <= step * (1. + 1e-6))
+      proposed_time = target;
+    else if (rest < 1.5 * step && step < parameters.maximum_step)
+      proposed_time = current_time + 0.5 * rest;
+    return proposed_time;
+  }
+
+
+
+  void
+  LoadStepping::accept_step(const unsigned int newton_iterations)
+  {
+    current_time = proposed_time;
+    ++n_accepted;
+    if (newton_iterations <= parameters.easy_iterations)
+      step = std::min(step * parameters.growth_factor, parameters.maximum_step);
+  }
+
+
+
+  void
+  LoadStepping::cut_step(const NoConvergence &failure)
+  {
+    const double tried = proposed_time - current_time;
+    step               = parameters.cut_factor * tried;
+    if (step < parameters.minimum_step * (1. - same_time))
+      {
+        std::ostringstream where;
+        where << "Load step to t = " << proposed_time << " of size " << tried
+              << " failed and the next would be below 'Load stepping/Minimum "
+                 "step' = "
+              << parameters.minimum_step;
+        throw NoConvergence(where.str(), failure.what());
+      }
+  }
+
+
+
+  void
+  LoadStepping::resume(const double       time,
+                       const double       step_size,
+                       const unsigned int step_number)
+  {
+    current_time = time;
+    step         = step_size;
+    n_accepted   = step_number;
+  }
+} // namespace stickslip

@@ -1,0 +1,392 @@
+#include <stickslip/base/no_convergence.h>
+
+#include <stickslip/contact/contact_results.h>
+
+#include <stickslip/output/output_directory.h>
+
+#include <stickslip/simulation/checkpoint.h>
+#include <stickslip/simulation/final_results.h>
+#include <stickslip/simulation/simulation.h>
+
+#include <stickslip/strategy/nested_fixed_point.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/timer.h>
+
+#include <iostream>
+#include <sstream>
+
+namespace stickslip
+{
+  template <int dim>
+  Simulation<dim>::Simulation(const CaseParameters &parameters,
+                              const MPI_Comm       &communicator)
+    : parameters(parameters)
+    , communicator(communicator)
+    , mesh(build_mesh<dim>(parameters.mesh,
+                           parameters.bodies,
+                           parameters.periodic_requests(),
+                           communicator))
+    , problem(mesh,
+              parameters.degree,
+              parameters.materials,
+              parameters.boundary_conditions,
+              parameters.contact_pairs,
+              parameters.algorithm.tangent == "quasi")
+    , linear_solver(create_linear_solver(parameters.linear_solver))
+    , load_stepping(parameters.load_stepping)
+    , x(problem.zero_state())
+    , accepted(x)
+    , accepted_forces(x.block(0))
+    , field_output(parameters.output, mesh.bodies, communicator)
+    , contact_output(parameters.output, communicator)
+    , point_values(parameters.output, mesh.bodies, communicator)
+    , statistics(parameters.output.directory + "/statistics", communicator)
+    , resultant_table(parameters.output.directory + "/resultants", communicator)
+    , log(parameters.output.directory, communicator)
+    , progress(parameters.output.verbosity,
+               0.,
+               parameters.load_stepping.end_time,
+               communicator)
+  {
+    problem.check_bodies_are_held();
+    point_values.locate(problem.layout().mapping, problem.layout().dof_handler);
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  Simulation<dim>::run(const std::string &restart_from)
+  {
+    resume(restart_from);
+    while (!load_stepping.finished())
+      {
+        const double time = load_stepping.propose_step();
+        try
+          {
+            solve_step(time);
+            accept_step();
+          }
+        catch (const NoConvergence &failure)
+          {
+            give_up_step(failure);
+          }
+      }
+    progress.finished(load_stepping.step_number());
+    return report_final_results();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::solve_step(const double time)
+  {
+    problem.counts = SolveCounts();
+    x              = accepted;
+    problem.begin_step(time, accepted);
+    log.begin_step(load_stepping.step_number() + 1,
+                   time,
+                   time - load_stepping.time());
+
+    NewtonOperators newton;
+    newton.begin_iteration = [this](const LA::BlockVector &state) {
+      problem.begin_iteration(state);
+    };
+    newton.residual = [this](const LA::BlockVector &state) {
+      const ResidualNorms norms = problem.residual(state);
+      NewtonIteration     iteration;
+      iteration.equilibrium = norms.equilibrium;
+      iteration.contact     = norms.contact;
+      iteration.prescribed  = norms.prescribed;
+      return iteration;
+    };
+    newton.solve_increment = [this](const LA::BlockVector &state,
+                                    LA::BlockVector       &increment) {
+      solve_increment(state, increment);
+    };
+    newton.is_admissible = [this](std::string &reason) {
+      return problem.state_is_admissible(reason);
+    };
+    newton.report = [this](const unsigned int     iteration,
+                           const NewtonIteration &state) {
+      log.newton_iteration(iteration, state);
+    };
+    const NewtonSolver     newton_solver(parameters.algorithm.newton, newton);
+    const NestedFixedPoint fixed_point(
+      make_loops(parameters.algorithm, problem.quantities(), problem.counts),
+      [&newton_solver](LA::BlockVector &state) { newton_solver.solve(state); },
+      [this](const std::string &quantity,
+             const unsigned int pass,
+             const double       change,
+             const unsigned int depth) {
+        log.loop_pass(quantity, pass, change, depth);
+      });
+    fixed_point.solve(x);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::solve_increment(const LA::BlockVector &state,
+                                   LA::BlockVector       &increment)
+  {
+    problem.assemble(state);
+    ++problem.counts.newton_iterations;
+    Timer timer;
+    linear_solver->setup(problem.matrix());
+    problem.counts.setup_seconds += timer.wall_time();
+    timer.restart();
+    problem.counts.linear_iterations +=
+      linear_solver->solve(increment, problem.right_hand_side());
+    problem.counts.solve_seconds += timer.wall_time();
+    problem.distribute(increment);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::accept_step()
+  {
+    problem.accept_step(x);
+    // trapezoidal rule for the work of loads and supports
+    LA::Vector step(x.block(0));
+    step -= accepted.block(0);
+    external_work +=
+      0.5 * (accepted_forces * step + problem.nodal_forces() * step);
+    accepted_forces = problem.nodal_forces();
+    accepted        = x;
+    load_stepping.accept_step(problem.counts.newton_iterations);
+
+    const auto faces = contact_results(problem.contact());
+    const auto resultants =
+      compute_contact_resultants(faces,
+                                 parameters.contact_pairs.size(),
+                                 communicator);
+    for (const auto &pair : resultants)
+      friction_work -= pair.friction_work;
+    write_statistics(resultants);
+    write_results(faces);
+    progress.accepted_step(load_stepping.step_number(),
+                           load_stepping.time(),
+                           parameters.algorithm.name + ", " +
+                             std::to_string(problem.counts.newton_iterations) +
+                             " Newton iterations");
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::give_up_step(const NoConvergence &failure)
+  {
+    ++n_cuts;
+    failed.newton_iterations += problem.counts.newton_iterations;
+    const std::string contact = describe_contact(problem.contact());
+    const std::string reason  = failure.what();
+    log.note("step failed: " + reason + "\n" + contact);
+    problem.restore();
+    x                  = accepted;
+    const double tried = load_stepping.propose_step();
+    try
+      {
+        load_stepping.cut_step(failure);
+      }
+    catch (const NoConvergence &last)
+      {
+        write_checkpoint();
+        throw NoConvergence(
+          last.what(),
+          "\nThe contact points when it failed:\n" + contact +
+            "The last accepted state, t = " +
+            std::to_string(load_stepping.time()) + ", is in '" +
+            parameters.output.directory +
+            "' (continue with --restart latest); all iterations are in "
+            "convergence.log.\nTry: another 'Algorithm/Name' (PNM or FPM where "
+            "GNM cycles), a smaller 'Load stepping/Initial step', 'Normals = "
+            "smoothed' where points hop between master facets, "
+            "'Algorithm/Newton/Line search = backtracking'.");
+      }
+    progress.rejected_step(tried, reason, load_stepping.step_size());
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::write_results(
+    const std::vector<ContactFaceResult<dim>> &faces)
+  {
+    const unsigned int step = load_stepping.step_number();
+    const double       time = load_stepping.time();
+    if (parameters.output.is_written(step) || load_stepping.finished())
+      {
+        const StressFunction<dim> stresses =
+          [this](const auto                         &cell,
+                 std::vector<SymmetricTensor<2, 3>> &stress,
+                 std::vector<SymmetricTensor<2, 3>> &strain) {
+            std::vector<typename SolidAssembler<dim>::PointState> states;
+            problem.solid().evaluate_point_states(
+              cell, problem.ghosted_displacement(), states);
+            stress.clear();
+            strain.clear();
+            for (const auto &state : states)
+              {
+                stress.push_back(state.cauchy_stress);
+                strain.push_back(state.strain);
+              }
+          };
+        field_output.write(step,
+                           time,
+                           problem.layout().mapping,
+                           problem.layout().dof_handler,
+                           problem.ghosted_displacement(),
+                           stresses);
+        if (!parameters.contact_pairs.empty())
+          contact_output.write(step, time, faces);
+      }
+    point_values.write(step,
+                       time,
+                       problem.layout().dof_handler,
+                       problem.ghosted_displacement());
+    if (parameters.output.checkpoint_interval > 0 &&
+        step % parameters.output.checkpoint_interval == 0)
+      write_checkpoint();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::write_checkpoint()
+  {
+    CheckpointScalars scalars;
+    scalars.time          = load_stepping.time();
+    scalars.step_size     = load_stepping.step_size();
+    scalars.step          = load_stepping.step_number();
+    scalars.external_work = external_work;
+    scalars.friction_work = friction_work;
+    save_checkpoint(parameters.output.directory, problem, accepted, scalars);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::resume(const std::string &restart_from)
+  {
+    if (restart_from.empty())
+      return;
+    const std::string directory =
+      restart_from == "latest" ? parameters.output.directory : restart_from;
+    const CheckpointScalars scalars =
+      load_checkpoint(directory, problem, accepted);
+    x             = accepted;
+    external_work = scalars.external_work;
+    friction_work = scalars.friction_work;
+    load_stepping.resume(scalars.time, scalars.step_size, scalars.step);
+    // forces, pairings and scales of the state that the run goes on from
+    problem.begin_step(scalars.time, accepted);
+    problem.begin_iteration(accepted);
+    problem.residual(accepted);
+    accepted_forces = problem.nodal_forces();
+    field_output.resume(scalars.time);
+    contact_output.resume(scalars.time);
+    point_values.resume(scalars.time);
+    statistics.resume(scalars.time);
+    resultant_table.resume(scalars.time);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::write_statistics(
+    const std::vector<ContactResultants<dim>> &resultants)
+  {
+    const SolveCounts &counts    = problem.counts;
+    const auto         violation = contact_violation(problem.contact());
+    statistics.add("step", load_stepping.step_number());
+    statistics.add("time", load_stepping.time());
+    statistics.add("algorithm", parameters.algorithm.name);
+    statistics.add("geometry_loops", counts.geometry_loops);
+    statistics.add("threshold_loops", counts.threshold_loops);
+    statistics.add("status_loops", counts.status_loops);
+    statistics.add("newton_iterations", counts.newton_iterations);
+    statistics.add("pairings", counts.pairings);
+    statistics.add("linear_iterations", counts.linear_iterations);
+    statistics.add("cuts", n_cuts);
+    statistics.add("failed_newton_iterations", failed.newton_iterations);
+    statistics.add("sparsity_rebuilds", counts.sparsity_rebuilds);
+    statistics.add("assembly_seconds", counts.assembly_seconds);
+    statistics.add("contact_seconds", counts.contact_seconds);
+    statistics.add("setup_seconds", counts.setup_seconds);
+    statistics.add("solve_seconds", counts.solve_seconds);
+    statistics.add("max_penetration", violation.penetration);
+    statistics.add("max_tension", violation.tension);
+    statistics.add("max_disc_excess", violation.disc);
+    statistics.add("max_stick_slip", violation.stick_slip);
+    statistics.add("max_direction_error", violation.direction);
+    statistics.add("external_work", external_work);
+    statistics.add("friction_work", friction_work);
+    statistics.finish_row();
+    n_cuts = 0;
+    failed = SolveCounts();
+
+    if (resultants.empty())
+      return;
+    resultant_table.add("step", load_stepping.step_number());
+    resultant_table.add("time", load_stepping.time());
+    for (unsigned int p = 0; p < resultants.size(); ++p)
+      for (const auto &[name, value] : resultants[p].named_values())
+        resultant_table.add(parameters.contact_pairs[p].first + "." + name,
+                            value);
+    resultant_table.finish_row();
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  Simulation<dim>::report_final_results()
+  {
+    FinalResults results;
+    const auto   displacements =
+      point_values.evaluate(problem.layout().dof_handler,
+                            problem.ghosted_displacement());
+    for (unsigned int i = 0; i < displacements.size(); ++i)
+      for (unsigned int c = 0; c < dim; ++c)
+        results.add("displacement",
+                    parameters.output.points[i].first + "_" + "xyz"[c],
+                    displacements[i][c]);
+    const auto resultants =
+      compute_contact_resultants(contact_results(problem.contact()),
+                                 parameters.contact_pairs.size(),
+                                 communicator);
+    for (unsigned int p = 0; p < resultants.size(); ++p)
+      for (const auto &[name, value] : resultants[p].named_values())
+        {
+          // forces beside forces, everything else by itself
+          const std::string full =
+            parameters.contact_pairs[p].first + "." + name;
+          const bool is_force = name.find("force") != std::string::npos;
+          results.add(is_force ? "force" : full, full, value);
+        }
+    results.add("work", "external_work", external_work);
+    results.add("work", "friction_work", friction_work);
+
+    unsigned int       n_failed = 0;
+    std::ostringstream text;
+    results.print(text);
+    n_failed = evaluate_checks(parameters.checks, results.values(), text);
+    if (progress.prints_results())
+      std::cout << text.str() << std::flush;
+    return n_failed;
+  }
+
+  template class Simulation<2>;
+  template class Simulation<3>;
+} // namespace stickslip

@@ -1,0 +1,246 @@
+#include <stickslip/base/user_error.h>
+
+#include <stickslip/solid/boundary_condition_parameters.h>
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/patterns.h>
+#include <deal.II/base/utilities.h>
+
+#include <map>
+
+namespace stickslip
+{
+  using namespace dealii;
+
+  namespace
+  {
+    const std::map<std::string, BoundaryConditionType> &
+    boundary_condition_types()
+    {
+      static const std::map<std::string, BoundaryConditionType> types = {
+        {"displacement", BoundaryConditionType::displacement},
+        {"symmetry", BoundaryConditionType::symmetry},
+        {"rigid motion", BoundaryConditionType::rigid_motion},
+        {"traction", BoundaryConditionType::traction},
+        {"pressure", BoundaryConditionType::pressure},
+        {"follower pressure", BoundaryConditionType::follower_pressure},
+        {"spring", BoundaryConditionType::spring},
+        {"body force", BoundaryConditionType::body_force},
+        {"periodic", BoundaryConditionType::periodic}};
+      return types;
+    }
+  } // namespace
+
+
+
+  void
+  BoundaryConditionParameters::add_parameters(ParameterHandler &prm)
+  {
+    std::string types;
+    for (const auto &named : boundary_condition_types())
+      types += (types.empty() ? "" : "|") + named.first;
+
+    prm.add_parameter("Body", body, "The body's name.", Patterns::Anything());
+    prm.add_parameter("Boundary",
+                      boundary,
+                      "The body's boundary ids. Empty for the whole body "
+                      "(displacement, rigid motion, body force).");
+    prm.add_parameter(
+      "Type",
+      type,
+      "What is prescribed. 'displacement': Value. 'symmetry': no displacement "
+      "normal to the plane boundary. 'rigid motion': Translation and Rotation. "
+      "'traction': force per reference area, Value. 'pressure': along the "
+      "reference normal per reference area, Value. 'follower pressure': along "
+      "the current normal per current area, Value. 'spring': force per "
+      "reference area, Stiffness times the displacement along Direction. 'body "
+      "force': force per reference volume, Value. 'periodic': the "
+      "displacements "
+      "on Boundary and Second boundary are equal.",
+      Patterns::Selection(types));
+    prm.add_parameter(
+      "Value",
+      value,
+      "Expressions of x, y, z (reference position) and t (load time): one per "
+      "component, separated by ';', where 'free' leaves a component of a "
+      "displacement free; one for a pressure, greater than zero if it "
+      "compresses.",
+      Patterns::Anything());
+    prm.add_parameter("Where",
+                      where,
+                      "Restricts a displacement or rigid motion to the nodes "
+                      "where this expression of x, y, z is not zero, for "
+                      "example 'abs(x-40) < 1e-6'. Empty: no restriction.",
+                      Patterns::Anything());
+    prm.add_parameter("Direction",
+                      direction,
+                      "Of a spring: x, y, z or a vector 'a, b, c' (of any "
+                      "length); empty for all directions. Of a periodic "
+                      "condition: the axis that joins the two boundaries.",
+                      Patterns::Anything());
+    prm.add_parameter("Stiffness",
+                      stiffness,
+                      "Of a spring: force per reference area and displacement.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Translation",
+                      translation,
+                      "Of a rigid motion: expressions of t, separated by ';'. "
+                      "Empty: none.",
+                      Patterns::Anything());
+    prm.add_parameter("Rotation angle",
+                      rotation_angle,
+                      "Of a rigid motion: expression of t, in degrees.",
+                      Patterns::Anything());
+    prm.add_parameter("Rotation axis",
+                      rotation_axis,
+                      "Of a rigid motion in 3D: x, y, z or a vector 'a, b, c'.",
+                      Patterns::Anything());
+    prm.add_parameter("Rotation centre",
+                      rotation_centre,
+                      "Of a rigid motion: a point on the axis in the reference "
+                      "configuration. Empty: the origin.",
+                      Patterns::Anything());
+    prm.add_parameter("Second boundary",
+                      second_boundary,
+                      "Of a periodic condition: the other boundary.");
+  }
+
+
+
+  BoundaryConditionType
+  BoundaryConditionParameters::condition_type() const
+  {
+    return boundary_condition_types().at(type);
+  }
+
+
+
+  void
+  BoundaryConditionParameters::check(const std::string &path) const
+  {
+    const auto require = [&](const bool present, const std::string &name) {
+      if (!present)
+        throw UserError(path + "/" + name +
+                        " is empty, but a condition of type '" + type +
+                        "' needs it.");
+    };
+    const auto forbid = [&](const bool present, const std::string &name) {
+      if (present)
+        throw UserError(path + "/" + name +
+                        " is given, but a condition of type '" + type +
+                        "' has no use for it.");
+    };
+
+    require(!body.empty(), "Body");
+    const BoundaryConditionType kind = condition_type();
+
+    const bool has_value = (kind == BoundaryConditionType::displacement ||
+                            kind == BoundaryConditionType::traction ||
+                            kind == BoundaryConditionType::pressure ||
+                            kind == BoundaryConditionType::follower_pressure ||
+                            kind == BoundaryConditionType::body_force);
+    (has_value ? require(!value.empty(), "Value")
+               : forbid(!value.empty(), "Value"));
+
+    const bool moves = (kind == BoundaryConditionType::displacement ||
+                        kind == BoundaryConditionType::rigid_motion);
+    if (kind == BoundaryConditionType::body_force)
+      forbid(!boundary.empty(), "Boundary");
+    else if (!moves)
+      require(!boundary.empty(), "Boundary");
+    if (!moves)
+      forbid(!where.empty(), "Where");
+
+    if (kind != BoundaryConditionType::rigid_motion)
+      forbid(!translation.empty(), "Translation");
+
+    if (kind == BoundaryConditionType::spring && !(stiffness > 0.))
+      throw UserError(path + "/Stiffness has to be greater than 0.");
+
+    if (kind == BoundaryConditionType::periodic)
+      {
+        require(!direction.empty(), "Direction");
+        if (boundary.size() != 1 || second_boundary.size() != 1)
+          throw UserError(path +
+                          ": 'Boundary' and 'Second boundary' of a "
+                          "periodic condition have to be one id each.");
+      }
+    else
+      forbid(!second_boundary.empty(), "Second boundary");
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  vector_from_parameter(const std::string &text, const std::string &path)
+  {
+    Tensor<1, dim>           result;
+    const std::string        axes  = "xyz";
+    const std::string        word  = Utilities::trim(text);
+    const std::size_t        axis  = axes.find(word);
+    std::vector<std::string> parts = Utilities::split_string_list(word, ",");
+
+    if (word.size() == 1 && axis < dim)
+      {
+        result[axis] = 1.;
+        return result;
+      }
+    try
+      {
+        AssertThrow(parts.size() == dim,
+                    ExcDimensionMismatch(parts.size(), dim));
+        for (unsigned int d = 0; d < dim; ++d)
+          result[d] = Utilities::string_to_double(parts[d]);
+      }
+    catch (const ExceptionBase &)
+      {
+        throw UserError(path + " is '" + text + "', but has to be one of " +
+                        (dim == 2 ? "x, y" : "x, y, z") + " or " +
+                        std::to_string(dim) + " numbers separated by commas.");
+      }
+    return result;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  BoundaryConditionParameters::unit_direction(const std::string &path) const
+  {
+    const Tensor<1, dim> vector =
+      vector_from_parameter<dim>(direction, path + "/Direction");
+    if (vector.norm() == 0.)
+      throw UserError(path + "/Direction has no length.");
+    return vector / vector.norm();
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  BoundaryConditionParameters::periodic_axis(const std::string &path) const
+  {
+    const Tensor<1, dim> vector = unit_direction<dim>(path);
+    for (unsigned int d = 0; d < dim; ++d)
+      if (std::abs(std::abs(vector[d]) - 1.) < 1e-12)
+        return d;
+    throw UserError(path + "/Direction is '" + direction +
+                    "', but a periodic condition has to be along an axis.");
+  }
+
+
+
+  template Tensor<1, 2>
+  vector_from_parameter<2>(const std::string &, const std::string &);
+  template Tensor<1, 3>
+  vector_from_parameter<3>(const std::string &, const std::string &);
+  template Tensor<1, 2>
+  BoundaryConditionParameters::unit_direction<2>(const std::string &) const;
+  template Tensor<1, 3>
+  BoundaryConditionParameters::unit_direction<3>(const std::string &) const;
+  template unsigned int
+  BoundaryConditionParameters::periodic_axis<2>(const std::string &) const;
+  template unsigned int
+  BoundaryConditionParameters::periodic_axis<3>(const std::string &) const;
+} // namespace stickslip

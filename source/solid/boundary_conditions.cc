@@ -1,0 +1,261 @@
+#include <stickslip/base/user_error.h>
+
+#include <stickslip/solid/boundary_conditions.h>
+#include <stickslip/solid/displacement_constraints.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+namespace stickslip
+{
+  namespace
+  {
+    std::string
+    boundary_condition_path(const std::string &name)
+    {
+      return "Boundary conditions/" + name;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  BoundaryConditions<dim>::BoundaryConditions(
+    const NamedList<BoundaryConditionParameters> &parameters,
+    const Bodies                                 &bodies)
+    : bodies(bodies)
+  {
+    for (const auto &named : parameters)
+      add_condition(named.first, named.second);
+    hold_idle_rigid_bodies();
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryConditions<dim>::add_condition(
+    const std::string                 &name,
+    const BoundaryConditionParameters &parameters)
+  {
+    const std::string path = boundary_condition_path(name);
+    parameters.check(path);
+
+    const unsigned int body = bodies.index_of(parameters.body, path + "/Body");
+    const BoundaryConditionType type = parameters.condition_type();
+
+    if (bodies.bodies[body].is_rigid &&
+        (type != BoundaryConditionType::rigid_motion ||
+         !parameters.boundary.empty() || !parameters.where.empty()))
+      throw UserError(path + ": body '" + parameters.body +
+                      "' is rigid. It takes a condition of type 'rigid "
+                      "motion' without 'Boundary' and 'Where', and no other.");
+
+    switch (type)
+      {
+        case BoundaryConditionType::displacement:
+        case BoundaryConditionType::symmetry:
+        case BoundaryConditionType::rigid_motion:
+          add_displacement(name, parameters);
+          break;
+        case BoundaryConditionType::traction:
+        case BoundaryConditionType::pressure:
+        case BoundaryConditionType::follower_pressure:
+        case BoundaryConditionType::spring:
+        case BoundaryConditionType::body_force:
+          add_load(name, parameters);
+          break;
+        case BoundaryConditionType::periodic:
+          add_periodic_pair(name, parameters);
+          break;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryConditions<dim>::add_displacement(
+    const std::string                 &name,
+    const BoundaryConditionParameters &parameters)
+  {
+    const std::string           path = boundary_condition_path(name);
+    PrescribedDisplacement<dim> condition;
+    condition.name = name;
+    condition.type = parameters.condition_type();
+    condition.body = bodies.index_of(parameters.body, path + "/Body");
+    if (!parameters.boundary.empty())
+      condition.boundary_ids = bodies.global_boundary_ids(parameters.body,
+                                                          parameters.boundary,
+                                                          path + "/Boundary");
+    if (condition.type == BoundaryConditionType::displacement)
+      condition.value = std::make_shared<SpaceTimeFunction<dim>>(
+        parameters.value, dim, path + "/Value", true);
+    if (condition.type == BoundaryConditionType::rigid_motion)
+      condition.motion = RigidMotion<dim>(parameters, path);
+    if (!parameters.where.empty())
+      condition.where =
+        std::make_shared<SpaceTimeFunction<dim>>(parameters.where,
+                                                 1,
+                                                 path + "/Where");
+    displacements.push_back(condition);
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryConditions<dim>::add_load(
+    const std::string                 &name,
+    const BoundaryConditionParameters &parameters)
+  {
+    const std::string path = boundary_condition_path(name);
+    Load<dim>         load;
+    load.name = name;
+    load.type = parameters.condition_type();
+    load.body = bodies.index_of(parameters.body, path + "/Body");
+    if (load.type != BoundaryConditionType::body_force)
+      load.boundary_ids = bodies.global_boundary_ids(parameters.body,
+                                                     parameters.boundary,
+                                                     path + "/Boundary");
+
+    if (load.type == BoundaryConditionType::spring)
+      {
+        load.stiffness = unit_symmetric_tensor<dim, double>();
+        if (!parameters.direction.empty())
+          {
+            const Tensor<1, dim> d = parameters.unit_direction<dim>(path);
+            load.stiffness         = outer_product(d, d);
+          }
+        load.stiffness *= parameters.stiffness;
+      }
+    else
+      {
+        const bool is_pressure =
+          (load.type == BoundaryConditionType::pressure ||
+           load.type == BoundaryConditionType::follower_pressure);
+        load.value =
+          std::make_shared<SpaceTimeFunction<dim>>(parameters.value,
+                                                   is_pressure ? 1 : dim,
+                                                   path + "/Value");
+      }
+    all_loads.push_back(load);
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryConditions<dim>::add_periodic_pair(
+    const std::string                 &name,
+    const BoundaryConditionParameters &parameters)
+  {
+    const std::string path   = boundary_condition_path(name);
+    const auto        global = [&](const std::vector<unsigned int> &ids,
+                            const std::string               &parameter) {
+      return *bodies
+                .global_boundary_ids(parameters.body,
+                                     ids,
+                                     path + "/" + parameter)
+                .begin();
+    };
+
+    Periodicity pair;
+    pair.name   = name;
+    pair.body   = bodies.index_of(parameters.body, path + "/Body");
+    pair.first  = global(parameters.boundary, "Boundary");
+    pair.second = global(parameters.second_boundary, "Second boundary");
+    pair.axis   = parameters.periodic_axis<dim>(path);
+    if (pair.first == pair.second)
+      throw UserError(path +
+                      ": 'Boundary' and 'Second boundary' are the same.");
+    all_periodicities.push_back(pair);
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryConditions<dim>::hold_idle_rigid_bodies()
+  {
+    std::vector<bool> moves(bodies.bodies.size(), false);
+    for (const PrescribedDisplacement<dim> &condition : displacements)
+      moves[condition.body] = true;
+
+    for (unsigned int b = 0; b < bodies.bodies.size(); ++b)
+      if (bodies.bodies[b].is_rigid && !moves[b])
+        {
+          PrescribedDisplacement<dim> condition;
+          condition.name = "(rigid body " + bodies.bodies[b].name + ")";
+          condition.type = BoundaryConditionType::rigid_motion;
+          condition.body = b;
+          displacements.push_back(condition);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryConditions<dim>::add_prescribed_displacements(
+    const Mapping<dim>    &mapping,
+    const DoFHandler<dim> &dof_handler,
+    const double           time,
+    const LA::Vector      &u,
+    Constraints           &constraints) const
+  {
+    const MPI_Comm communicator = dof_handler.get_communicator();
+
+    std::string error;
+    const auto  nodes =
+      find_held_nodes(mapping, dof_handler, bodies, displacements, time, error);
+
+    std::vector<ConstraintLine> lines;
+    std::vector<unsigned int>   n_nodes(displacements.size(), 0);
+    for (const auto &[first_dof, node] : nodes)
+      {
+        for (const auto &row : node.rows)
+          ++n_nodes[row.condition];
+        // Hanging and periodic nodes follow others.
+        if (constraints.is_constrained(first_dof))
+          continue;
+        Tensor<1, dim> u_node;
+        for (unsigned int d = 0; d < dim; ++d)
+          u_node[d] = u(node.dofs[d]);
+        const std::vector<ConstraintLine> node_lines =
+          resolve_held_node(node, u_node, displacements, error);
+        lines.insert(lines.end(), node_lines.begin(), node_lines.end());
+      }
+    throw_collectively(error, communicator);
+
+    const std::vector<unsigned int> n_local_nodes = n_nodes;
+    Utilities::MPI::sum(n_local_nodes, communicator, n_nodes);
+    for (unsigned int c = 0; c < displacements.size(); ++c)
+      if (n_nodes[c] == 0)
+        throw UserError(boundary_condition_path(displacements[c].name) +
+                        " holds no component of any node.");
+
+    add_lines_on_all_ranks(lines,
+                           dof_handler.locally_owned_dofs(),
+                           communicator,
+                           constraints);
+  }
+
+
+
+  template <int dim>
+  void
+  BoundaryConditions<dim>::add_periodicity(const DoFHandler<dim> &dof_handler,
+                                           Constraints &constraints) const
+  {
+    for (const Periodicity &pair : all_periodicities)
+      DoFTools::make_periodicity_constraints(
+        dof_handler, pair.first, pair.second, pair.axis, constraints);
+  }
+
+
+
+  template class BoundaryConditions<2>;
+  template class BoundaryConditions<3>;
+} // namespace stickslip

@@ -1,0 +1,234 @@
+#include <stickslip/solid/cell_kernel.h>
+
+#include <algorithm>
+
+namespace stickslip
+{
+  template <int dim>
+  ElementArrays<dim>::ElementArrays(const FiniteElement<dim> &fe)
+    : internal(fe.n_dofs_per_cell())
+    , external(fe.n_dofs_per_cell())
+    , n_nodes(fe.base_element(0).n_dofs_per_cell())
+    , dof_of_node(fe.n_dofs_per_cell())
+    , values(fe.n_dofs_per_cell())
+    , nodal_displacements(fe.n_dofs_per_cell())
+    , gradients(fe.n_dofs_per_cell())
+    , stiffness(fe.n_dofs_per_cell() * fe.n_dofs_per_cell())
+  {
+    AssertDimension(fe.n_dofs_per_cell(), dim * n_nodes);
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      for (unsigned int i = 0; i < dim; ++i)
+        dof_of_node[a * dim + i] = fe.component_to_system_index(i, a);
+  }
+
+
+
+  template <int dim>
+  void
+  ElementArrays<dim>::reinit(
+    const LA::Vector                           &u,
+    const std::vector<types::global_dof_index> &dof_indices)
+  {
+    u.extract_subvector_to(dof_indices.begin(),
+                           dof_indices.end(),
+                           values.begin());
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      for (unsigned int i = 0; i < dim; ++i)
+        nodal_displacements[i * n_nodes + a] = values[dof_of_node[a * dim + i]];
+    internal = 0.;
+    external = 0.;
+    std::fill(stiffness.begin(), stiffness.end(), 0.);
+  }
+
+
+
+  template <int dim>
+  void
+  ElementArrays<dim>::set_gradients(const FEValuesBase<dim> &fe_values,
+                                    const unsigned int       q)
+  {
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      {
+        const Tensor<1, dim> &gradient = fe_values.shape_grad(a, q);
+        for (unsigned int J = 0; J < dim; ++J)
+          gradients[J * n_nodes + a] = gradient[J];
+      }
+  }
+
+
+
+  template <int dim>
+  Tensor<2, 3>
+  ElementArrays<dim>::deformation_gradient() const
+  {
+    Tensor<2, 3> F;
+    for (unsigned int i = 0; i < 3; ++i)
+      F[i][i] = 1.;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int J = 0; J < dim; ++J)
+        {
+          const double *u_i = nodal_displacements.data() + i * n_nodes;
+          const double *G_J = gradients.data() + J * n_nodes;
+          double        sum = 0.;
+          for (unsigned int a = 0; a < n_nodes; ++a)
+            sum += u_i[a] * G_J[a];
+          F[i][J] += sum;
+        }
+    return F;
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  ElementArrays<dim>::displacement(const FEValuesBase<dim> &fe_values,
+                                   const unsigned int       q) const
+  {
+    Tensor<1, dim> u;
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      for (unsigned int i = 0; i < dim; ++i)
+        u[i] +=
+          nodal_displacements[i * n_nodes + a] * fe_values.shape_value(a, q);
+    return u;
+  }
+
+
+
+  template <int dim>
+  void
+  ElementArrays<dim>::add_stress(const Tensor<2, 3> &P, const double JxW)
+  {
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          double sum = 0.;
+          for (unsigned int J = 0; J < dim; ++J)
+            sum += P[i][J] * gradients[J * n_nodes + a];
+          internal(dof_of_node[a * dim + i]) += sum * JxW;
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  ElementArrays<dim>::add_stress_tangent(const Tensor<4, 3> &dP_dF,
+                                         const double        JxW)
+  {
+    // As plain numbers once per point, with the weight.
+    double A[dim][dim][dim][dim];
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int J = 0; J < dim; ++J)
+        for (unsigned int k = 0; k < dim; ++k)
+          for (unsigned int L = 0; L < dim; ++L)
+            A[i][J][k][L] = dP_dF[i][J][k][L] * JxW;
+
+    const unsigned int n = n_nodes;
+    const double      *G = gradients.data();
+    for (unsigned int a = 0; a < n; ++a)
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          double *row = stiffness_row(a, i);
+          for (unsigned int k = 0; k < dim; ++k)
+            {
+              double G_A[dim]; // G_aJ A_iJkL for this a, i, k
+              for (unsigned int L = 0; L < dim; ++L)
+                {
+                  G_A[L] = 0.;
+                  for (unsigned int J = 0; J < dim; ++J)
+                    G_A[L] += G[J * n + a] * A[i][J][k][L];
+                }
+              double *block = row + k * n;
+              for (unsigned int b = 0; b < n; ++b)
+                for (unsigned int L = 0; L < dim; ++L)
+                  block[b] += G_A[L] * G[L * n + b];
+            }
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  ElementArrays<dim>::add_load(const FEValuesBase<dim> &fe_values,
+                               const unsigned int       q,
+                               const Tensor<1, dim>    &t,
+                               Vector<double>          &force) const
+  {
+    const double JxW = fe_values.JxW(q);
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      {
+        const double weight = fe_values.shape_value(a, q) * JxW;
+        for (unsigned int i = 0; i < dim; ++i)
+          force(dof_of_node[a * dim + i]) += t[i] * weight;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  ElementArrays<dim>::add_load_gradient_tangent(
+    const FEValuesBase<dim> &fe_values,
+    const unsigned int       q,
+    const Tensor<3, dim>    &dt_dF)
+  {
+    const double JxW = fe_values.JxW(q);
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      {
+        const double weight = fe_values.shape_value(a, q) * JxW;
+        if (weight == 0.)
+          continue; // not a node of this face
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int k = 0; k < dim; ++k)
+            {
+              double *block = stiffness_row(a, i) + k * n_nodes;
+              for (unsigned int L = 0; L < dim; ++L)
+                for (unsigned int b = 0; b < n_nodes; ++b)
+                  block[b] +=
+                    weight * dt_dF[i][k][L] * gradients[L * n_nodes + b];
+            }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  ElementArrays<dim>::add_load_tangent(const FEValuesBase<dim> &fe_values,
+                                       const unsigned int       q,
+                                       const Tensor<2, dim>    &dt_du)
+  {
+    const double JxW = fe_values.JxW(q);
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      {
+        const double weight = fe_values.shape_value(a, q) * JxW;
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int k = 0; k < dim; ++k)
+            {
+              double *block = stiffness_row(a, i) + k * n_nodes;
+              for (unsigned int b = 0; b < n_nodes; ++b)
+                block[b] += weight * dt_du[i][k] * fe_values.shape_value(b, q);
+            }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  ElementArrays<dim>::copy_stiffness(FullMatrix<double> &matrix) const
+  {
+    const double *entry = stiffness.data();
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int k = 0; k < dim; ++k)
+          for (unsigned int b = 0; b < n_nodes; ++b, ++entry)
+            matrix(dof_of_node[a * dim + i], dof_of_node[b * dim + k]) = *entry;
+  }
+
+
+
+  template class ElementArrays<2>;
+  template class ElementArrays<3>;
+} // namespace stickslip

@@ -1,0 +1,90 @@
+#include <stickslip/base/registry.h>
+
+#include <stickslip/solid/constitutive_law.h>
+#include <stickslip/solid/linear_elastic.h>
+#include <stickslip/solid/saint_venant_kirchhoff.h>
+
+namespace stickslip
+{
+  namespace
+  {
+    // The list of laws: a new law is one more entry here.
+    const Registry<ConstitutiveLaw> &
+    constitutive_laws()
+    {
+      static const Registry<ConstitutiveLaw> registry(
+        "constitutive law",
+        {{"linear elastic",
+          "isotropic linear elasticity at small strains",
+          [] { return std::make_unique<LinearElastic>(); }},
+         {"St Venant-Kirchhoff",
+          "linear between Green-Lagrange strain and second Piola-Kirchhoff "
+          "stress, for large rotations and moderate strains (in compression "
+          "it softens below a stretch of 0.577)",
+          [] { return std::make_unique<SaintVenantKirchhoff>(); }}});
+      return registry;
+    }
+  } // namespace
+
+
+
+  void
+  ConstitutiveLaw::initialize_history(const ArrayView<double> &history) const
+  {
+    for (double &variable : history)
+      variable = 0.;
+  }
+
+
+
+  Tensor<2, 3>
+  ConstitutiveLaw::full_deformation_gradient(
+    const Tensor<2, 3> &F,
+    const ArrayView<const double> &) const
+  {
+    return F;
+  }
+
+
+
+  SymmetricTensor<2, 3>
+  ConstitutiveLaw::cauchy_stress(const Tensor<2, 3> &F,
+                                 const Tensor<2, 3> &P) const
+  {
+    return symmetrize(P * transpose(F)) / determinant(F);
+  }
+
+
+
+  SymmetricTensor<2, 3>
+  ConstitutiveLaw::strain(const Tensor<2, 3> &F) const
+  {
+    return 0.5 *
+           (symmetrize(transpose(F) * F) - unit_symmetric_tensor<3, double>());
+  }
+
+
+
+  std::unique_ptr<ConstitutiveLaw>
+  create_constitutive_law(const std::string &name,
+                          const std::string &parameter_path)
+  {
+    return constitutive_laws().create(name, parameter_path);
+  }
+
+
+
+  std::vector<std::string>
+  constitutive_law_names()
+  {
+    return constitutive_laws().names();
+  }
+
+
+
+  std::string
+  constitutive_law_descriptions()
+  {
+    return constitutive_laws().descriptions();
+  }
+} // namespace stickslip

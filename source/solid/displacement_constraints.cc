@@ -1,0 +1,204 @@
+#include <stickslip/solid/displacement_constraints.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// A row in which the component `pivot` has been made one; `origin` is its
+    /// index among the node's rows.
+    template <int dim>
+    struct PivotRow
+    {
+      unsigned int   pivot;
+      Tensor<1, dim> direction;
+      double         value;
+      unsigned int   origin;
+    };
+
+
+
+    /// The first component that is about as large as the largest: the same
+    /// one whatever the rounding.
+    template <int dim>
+    unsigned int
+    robust_pivot(const Tensor<1, dim> &direction)
+    {
+      double largest = 0.;
+      for (unsigned int d = 0; d < dim; ++d)
+        largest = std::max(largest, std::abs(direction[d]));
+      unsigned int pivot = 0;
+      while (std::abs(direction[pivot]) < (1. - 1e-6) * largest)
+        ++pivot;
+      return pivot;
+    }
+
+
+
+    template <int dim>
+    std::string
+    contradiction_text(
+      const HeldNode<dim>                            &node,
+      const unsigned int                              row,
+      const std::vector<PrescribedDisplacement<dim>> &conditions,
+      const std::vector<PivotRow<dim>>               &earlier)
+    {
+      // The earlier row that is closest to parallel is the one to name.
+      unsigned int other = earlier.front().origin;
+      for (const PivotRow<dim> &candidate : earlier)
+        if (std::abs(node.rows[candidate.origin].direction *
+                     node.rows[row].direction) >
+            std::abs(node.rows[other].direction * node.rows[row].direction))
+          other = candidate.origin;
+
+      std::ostringstream text;
+      text << "Boundary conditions/"
+           << conditions[node.rows[other].condition].name
+           << " and Boundary conditions/"
+           << conditions[node.rows[row].condition].name
+           << " contradict each other at the node (" << node.position
+           << "): a displacement of " << node.rows[other].value
+           << " along the direction (" << node.rows[other].direction
+           << ") against " << node.rows[row].value << " along ("
+           << node.rows[row].direction << ").";
+      return text.str();
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<ConstraintLine>
+  resolve_held_node(const HeldNode<dim>                            &node,
+                    const Tensor<1, dim>                           &u,
+                    const std::vector<PrescribedDisplacement<dim>> &conditions,
+                    std::string                                    &error)
+  {
+    double largest_value = 0.;
+    for (const auto &row : node.rows)
+      largest_value = std::max(largest_value, std::abs(row.value));
+    const double tolerance = 1e-8 * largest_value + 1e-10 * node.cell_diameter;
+
+    // Gauss-Jordan elimination, at most dim rows survive.
+    std::vector<PivotRow<dim>> rows;
+    for (unsigned int r = 0; r < node.rows.size(); ++r)
+      {
+        PivotRow<dim> row{0,
+                          node.rows[r].direction,
+                          node.rows[r].value - node.rows[r].direction * u,
+                          r};
+        for (const PivotRow<dim> &known : rows)
+          {
+            const double factor = row.direction[known.pivot];
+            row.direction -= factor * known.direction;
+            row.value -= factor * known.value;
+          }
+        if (row.direction.norm() < 1e-6)
+          {
+            if (std::abs(row.value) > tolerance && error.empty())
+              error = contradiction_text(node, r, conditions, rows);
+            continue;
+          }
+
+        row.pivot          = robust_pivot(row.direction);
+        const double scale = row.direction[row.pivot];
+        row.direction /= scale;
+        row.value /= scale;
+        for (PivotRow<dim> &known : rows)
+          {
+            const double factor = known.direction[row.pivot];
+            known.direction -= factor * row.direction;
+            known.value -= factor * row.value;
+          }
+        rows.push_back(row);
+      }
+
+    std::vector<ConstraintLine> lines;
+    for (const PivotRow<dim> &row : rows)
+      {
+        ConstraintLine line{node.dofs[row.pivot], {}, row.value};
+        for (unsigned int d = 0; d < dim; ++d)
+          if (d != row.pivot && std::abs(row.direction[d]) > 1e-12)
+            line.entries.emplace_back(node.dofs[d], -row.direction[d]);
+        lines.push_back(line);
+      }
+    return lines;
+  }
+
+
+
+  namespace
+  {
+    void
+    add_constraint_line(const ConstraintLine &line, Constraints &constraints)
+    {
+      if (constraints.is_constrained(line.dof))
+        return;
+      constraints.add_line(line.dof);
+      constraints.add_entries(line.dof, line.entries);
+      constraints.set_inhomogeneity(line.dof, line.inhomogeneity);
+    }
+  } // namespace
+
+
+
+  void
+  add_lines_on_all_ranks(const std::vector<ConstraintLine> &lines,
+                         const IndexSet                    &locally_owned_dofs,
+                         const MPI_Comm                     communicator,
+                         Constraints                       &constraints)
+  {
+    for (const ConstraintLine &line : lines)
+      add_constraint_line(line, constraints);
+    if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+      return;
+
+    std::map<types::global_dof_index, const ConstraintLine *> line_of;
+    for (const ConstraintLine &line : lines)
+      line_of[line.dof] = &line;
+
+    IndexSet foreign = constraints.get_local_lines();
+    foreign.subtract_set(locally_owned_dofs);
+    const std::vector<unsigned int> owners =
+      Utilities::MPI::compute_index_owner(locally_owned_dofs,
+                                          foreign,
+                                          communicator);
+    std::map<unsigned int, std::vector<types::global_dof_index>> questions;
+    unsigned int                                                 i = 0;
+    for (const types::global_dof_index dof : foreign)
+      questions[owners[i++]].push_back(dof);
+
+    std::map<unsigned int, std::vector<ConstraintLine>> answers;
+    for (const auto &question :
+         Utilities::MPI::some_to_some(communicator, questions))
+      for (const types::global_dof_index dof : question.second)
+        {
+          const auto line = line_of.find(dof);
+          if (line != line_of.end())
+            answers[question.first].push_back(*line->second);
+        }
+
+    for (const auto &answer :
+         Utilities::MPI::some_to_some(communicator, answers))
+      for (const ConstraintLine &line : answer.second)
+        add_constraint_line(line, constraints);
+  }
+
+
+
+  template std::vector<ConstraintLine>
+  resolve_held_node(const HeldNode<2> &,
+                    const Tensor<1, 2> &,
+                    const std::vector<PrescribedDisplacement<2>> &,
+                    std::string &);
+  template std::vector<ConstraintLine>
+  resolve_held_node(const HeldNode<3> &,
+                    const Tensor<1, 3> &,
+                    const std::vector<PrescribedDisplacement<3>> &,
+                    std::string &);
+} // namespace stickslip

@@ -1,0 +1,341 @@
+#include <stickslip/base/user_error.h>
+
+#include <stickslip/solid/prescribed_displacement.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// Collects the held nodes cell by cell.
+    template <int dim>
+    class HeldNodeCollector
+    {
+    public:
+      HeldNodeCollector(
+        const Mapping<dim>                             &mapping,
+        const DoFHandler<dim>                          &dof_handler,
+        const Bodies                                   &bodies,
+        const std::vector<PrescribedDisplacement<dim>> &conditions,
+        const double                                    time)
+        : dof_handler(dof_handler)
+        , bodies(bodies)
+        , conditions(conditions)
+        , time(time)
+        , scalar_fe(dof_handler.get_fe().base_element(0))
+        , node_values(mapping,
+                      scalar_fe,
+                      Quadrature<dim>(scalar_fe.get_unit_support_points()),
+                      update_quadrature_points)
+        , face_values(mapping,
+                      scalar_fe,
+                      QGauss<dim - 1>(2),
+                      update_normal_vectors)
+        , dof_indices(dof_handler.get_fe().n_dofs_per_cell())
+      {}
+
+      void
+      collect();
+
+      std::map<types::global_dof_index, HeldNode<dim>> nodes;
+      std::string                                      error;
+
+    private:
+      using CellIterator = typename DoFHandler<dim>::active_cell_iterator;
+
+      void
+      prepare(const CellIterator &cell);
+
+      void
+      collect_body(const CellIterator &cell, const unsigned int condition);
+
+      void
+      collect_face(const CellIterator &cell,
+                   const unsigned int  face,
+                   const unsigned int  condition);
+
+      /// Of a face that has to be plane.
+      Tensor<1, dim>
+      face_normal(const CellIterator &cell,
+                  const unsigned int  face,
+                  const unsigned int  condition);
+
+      /// @p normal is null unless the condition is a symmetry.
+      void
+      hold_node(const CellIterator   &cell,
+                const unsigned int    node,
+                const unsigned int    condition,
+                const Tensor<1, dim> *normal);
+
+      void
+      add_normal_row(HeldNode<dim>        &node,
+                     const unsigned int    condition,
+                     const Tensor<1, dim> &normal);
+
+      void
+      add_component_rows(HeldNode<dim> &node, const unsigned int condition);
+
+      void
+      report_curved_boundary(const unsigned int condition,
+                             const Point<dim>  &position);
+
+      const DoFHandler<dim>                          &dof_handler;
+      const Bodies                                   &bodies;
+      const std::vector<PrescribedDisplacement<dim>> &conditions;
+      const double                                    time;
+      const FiniteElement<dim>                       &scalar_fe;
+      FEValues<dim>                                   node_values;
+      FEFaceValues<dim>                               face_values;
+      std::vector<types::global_dof_index>            dof_indices;
+      CellIterator                                    prepared_cell;
+    };
+
+
+
+    template <int dim>
+    void
+    HeldNodeCollector<dim>::collect()
+    {
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        if (!cell->is_artificial())
+          for (unsigned int c = 0; c < conditions.size(); ++c)
+            if (bodies.body_of(cell->material_id()) == conditions[c].body)
+              {
+                if (conditions[c].boundary_ids.empty())
+                  collect_body(cell, c);
+                else if (cell->at_boundary())
+                  for (const unsigned int face : cell->face_indices())
+                    if (cell->face(face)->at_boundary() &&
+                        conditions[c].boundary_ids.count(
+                          cell->face(face)->boundary_id()) > 0)
+                      collect_face(cell, face, c);
+              }
+      for (auto &node : nodes)
+        std::stable_sort(node.second.rows.begin(),
+                         node.second.rows.end(),
+                         [](const auto &a, const auto &b) {
+                           return a.condition < b.condition;
+                         });
+    }
+
+
+
+    template <int dim>
+    void
+    HeldNodeCollector<dim>::prepare(const CellIterator &cell)
+    {
+      if (prepared_cell.state() == IteratorState::valid &&
+          prepared_cell == cell)
+        return;
+      prepared_cell = cell;
+      node_values.reinit(
+        typename Triangulation<dim>::active_cell_iterator(cell));
+      cell->get_dof_indices(dof_indices);
+    }
+
+
+
+    template <int dim>
+    void
+    HeldNodeCollector<dim>::collect_body(const CellIterator &cell,
+                                         const unsigned int  condition)
+    {
+      prepare(cell);
+      for (unsigned int a = 0; a < scalar_fe.n_dofs_per_cell(); ++a)
+        hold_node(cell, a, condition, nullptr);
+    }
+
+
+
+    template <int dim>
+    void
+    HeldNodeCollector<dim>::collect_face(const CellIterator &cell,
+                                         const unsigned int  face,
+                                         const unsigned int  condition)
+    {
+      prepare(cell);
+      const bool is_symmetry =
+        conditions[condition].type == BoundaryConditionType::symmetry;
+      const Tensor<1, dim> normal =
+        is_symmetry ? face_normal(cell, face, condition) : Tensor<1, dim>();
+      for (unsigned int a = 0; a < scalar_fe.n_dofs_per_cell(); ++a)
+        if (scalar_fe.has_support_on_face(a, face))
+          hold_node(cell, a, condition, is_symmetry ? &normal : nullptr);
+    }
+
+
+
+    template <int dim>
+    Tensor<1, dim>
+    HeldNodeCollector<dim>::face_normal(const CellIterator &cell,
+                                        const unsigned int  face,
+                                        const unsigned int  condition)
+    {
+      face_values.reinit(
+        typename Triangulation<dim>::active_cell_iterator(cell), face);
+      Tensor<1, dim> normal = face_values.normal_vector(0);
+      for (const unsigned int q : face_values.quadrature_point_indices())
+        if ((face_values.normal_vector(q) - normal).norm() > 1e-4)
+          report_curved_boundary(condition, cell->face(face)->center());
+
+      // Boundaries along the axes hold exactly one component.
+      for (unsigned int d = 0; d < dim; ++d)
+        if (std::abs(normal[d]) < 1e-10)
+          normal[d] = 0.;
+      return normal / normal.norm();
+    }
+
+
+
+    template <int dim>
+    void
+    HeldNodeCollector<dim>::hold_node(const CellIterator   &cell,
+                                      const unsigned int    node,
+                                      const unsigned int    condition,
+                                      const Tensor<1, dim> *normal)
+    {
+      const FiniteElement<dim>     &fe = dof_handler.get_fe();
+      const types::global_dof_index first_dof =
+        dof_indices[fe.component_to_system_index(0, node)];
+      if (!dof_handler.locally_owned_dofs().is_element(first_dof))
+        return;
+      const Point<dim> &position = node_values.quadrature_point(node);
+      if (conditions[condition].where &&
+          conditions[condition].where->value(position, time) == 0.)
+        return;
+
+      const auto     known = nodes.find(first_dof);
+      HeldNode<dim> &held =
+        (known != nodes.end() ? known->second : nodes[first_dof]);
+      if (known == nodes.end())
+        {
+          for (unsigned int d = 0; d < dim; ++d)
+            held.dofs[d] = dof_indices[fe.component_to_system_index(d, node)];
+          held.position      = position;
+          held.body          = conditions[condition].body;
+          held.cell_diameter = cell->diameter();
+        }
+
+      if (normal != nullptr)
+        add_normal_row(held, condition, *normal);
+      else
+        add_component_rows(held, condition);
+    }
+
+
+
+    template <int dim>
+    void
+    HeldNodeCollector<dim>::add_normal_row(HeldNode<dim>        &node,
+                                           const unsigned int    condition,
+                                           const Tensor<1, dim> &normal)
+    {
+      for (const auto &row : node.rows)
+        if (row.condition == condition)
+          {
+            const double cosine = std::abs(row.direction * normal);
+            if (cosine > 1. - 1e-8)
+              return; // another face of the same plane
+            if (cosine > 0.87)
+              report_curved_boundary(condition, node.position);
+          }
+      node.rows.push_back({normal, 0., condition});
+    }
+
+
+
+    template <int dim>
+    void
+    HeldNodeCollector<dim>::add_component_rows(HeldNode<dim>     &node,
+                                               const unsigned int condition)
+    {
+      for (const auto &row : node.rows)
+        if (row.condition == condition)
+          return; // seen from a neighbouring cell
+
+      const PrescribedDisplacement<dim> &prescribed = conditions[condition];
+      const bool                         is_rigid_motion =
+        prescribed.type == BoundaryConditionType::rigid_motion;
+      const Tensor<1, dim> displacement =
+        is_rigid_motion ? prescribed.motion.displacement(node.position, time)
+                        : prescribed.value->vector(node.position, time);
+      for (unsigned int d = 0; d < dim; ++d)
+        if (is_rigid_motion || !prescribed.value->is_free(d))
+          {
+            Tensor<1, dim> direction;
+            direction[d] = 1.;
+            node.rows.push_back({direction, displacement[d], condition});
+          }
+    }
+
+
+
+    template <int dim>
+    void
+    HeldNodeCollector<dim>::report_curved_boundary(const unsigned int condition,
+                                                   const Point<dim>  &position)
+    {
+      if (!error.empty())
+        return;
+      std::ostringstream text;
+      text << "Boundary conditions/" << conditions[condition].name
+           << ": the symmetry boundary is not plane near (" << position << ").";
+      error = text.str();
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::map<types::global_dof_index, HeldNode<dim>>
+  find_held_nodes(const Mapping<dim>                             &mapping,
+                  const DoFHandler<dim>                          &dof_handler,
+                  const Bodies                                   &bodies,
+                  const std::vector<PrescribedDisplacement<dim>> &conditions,
+                  const double                                    time,
+                  std::string                                    &error)
+  {
+    HeldNodeCollector<dim> collector(
+      mapping, dof_handler, bodies, conditions, time);
+    collector.collect();
+    error += collector.error;
+    return std::move(collector.nodes);
+  }
+
+
+
+  void
+  throw_collectively(const std::string &error, const MPI_Comm communicator)
+  {
+    if (Utilities::MPI::max(error.empty() ? 0 : 1, communicator) == 0)
+      return;
+    for (const std::string &text :
+         Utilities::MPI::all_gather(communicator, error))
+      if (!text.empty())
+        throw UserError(text);
+  }
+
+
+
+  template std::map<types::global_dof_index, HeldNode<2>>
+  find_held_nodes(const Mapping<2> &,
+                  const DoFHandler<2> &,
+                  const Bodies &,
+                  const std::vector<PrescribedDisplacement<2>> &,
+                  const double,
+                  std::string &);
+  template std::map<types::global_dof_index, HeldNode<3>>
+  find_held_nodes(const Mapping<3> &,
+                  const DoFHandler<3> &,
+                  const Bodies &,
+                  const std::vector<PrescribedDisplacement<3>> &,
+                  const double,
+                  std::string &);
+} // namespace stickslip

@@ -1,0 +1,364 @@
+#include <stickslip/base/user_error.h>
+
+#include <stickslip/solid/solid_assembler.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace stickslip
+{
+  template <int dim>
+  SolidAssembler<dim>::SolidAssembler(
+    const Mapping<dim>                                        &mapping,
+    const DoFHandler<dim>                                     &dof_handler,
+    const Bodies                                              &bodies,
+    const std::vector<std::shared_ptr<const ConstitutiveLaw>> &laws,
+    const BoundaryConditions<dim> &boundary_conditions)
+    : dof_handler(dof_handler)
+    , bodies(bodies)
+    , laws(laws)
+    , quadrature(dof_handler.get_fe().degree + 1)
+    , surface_loads(mapping, dof_handler.get_fe(), boundary_conditions.loads())
+    , largest_modulus(0.)
+    , fe_values(mapping,
+                dof_handler.get_fe().base_element(0),
+                quadrature,
+                update_values | update_gradients | update_quadrature_points |
+                  update_JxW_values)
+    , element(dof_handler.get_fe())
+    , stiffness(dof_handler.get_fe().n_dofs_per_cell(),
+                dof_handler.get_fe().n_dofs_per_cell())
+    , dof_indices(dof_handler.get_fe().n_dofs_per_cell())
+    , body_forces(bodies.bodies.size())
+  {
+    AssertDimension(laws.size(), bodies.regions.size());
+    for (unsigned int r = 0; r < laws.size(); ++r)
+      {
+        const Body &body = bodies.bodies[bodies.regions[r].body];
+        if (!laws[r] && !body.is_rigid)
+          throw UserError("Bodies/" + body.name +
+                          "/Material is empty, but the body is not rigid.");
+        if (laws[r])
+          largest_modulus =
+            std::max(largest_modulus, laws[r]->longitudinal_modulus());
+      }
+    for (const Load<dim> &load : boundary_conditions.loads())
+      if (load.type == BoundaryConditionType::body_force)
+        body_forces[load.body].push_back(&load);
+    initialize_history();
+  }
+
+
+
+  template <int dim>
+  void
+  SolidAssembler<dim>::initialize_history()
+  {
+    const unsigned int n_cells =
+      dof_handler.get_triangulation().n_active_cells();
+    std::vector<unsigned int> n_variables(n_cells, 0);
+    for (const CellIterator &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned() && !is_rigid(cell))
+        n_variables[cell->active_cell_index()] =
+          laws[cell->material_id()]->n_history_variables();
+    history.reinit(n_variables, quadrature.size());
+
+    for (const CellIterator &cell : dof_handler.active_cell_iterators())
+      if (n_variables[cell->active_cell_index()] > 0)
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
+          laws[cell->material_id()]->initialize_history(
+            history.trial(cell->active_cell_index(), q));
+    history.accept();
+  }
+
+
+
+  template <int dim>
+  bool
+  SolidAssembler<dim>::is_rigid(const CellIterator &cell) const
+  {
+    return bodies.bodies[bodies.body_of(cell->material_id())].is_rigid;
+  }
+
+
+
+  template <int dim>
+  void
+  SolidAssembler<dim>::add_residual(const LA::Vector  &u,
+                                    const double       time,
+                                    const Constraints &geometric,
+                                    LA::Vector        &internal,
+                                    LA::Vector        &external)
+  {
+    failure = Failure();
+    for (const CellIterator &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned() && !is_rigid(cell))
+        {
+          evaluate_cell(cell, u, time, false);
+          geometric.distribute_local_to_global(element.internal,
+                                               dof_indices,
+                                               internal);
+          geometric.distribute_local_to_global(element.external,
+                                               dof_indices,
+                                               external);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  SolidAssembler<dim>::add_tangent(const LA::Vector  &u,
+                                   const double       time,
+                                   const Constraints &constraints,
+                                   LA::SparseMatrix  &matrix,
+                                   LA::Vector        &rhs)
+  {
+    failure = Failure();
+    Vector<double> minus_residual(dof_indices.size());
+    for (const CellIterator &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          if (is_rigid(cell))
+            set_rigid_cell(cell);
+          else
+            {
+              evaluate_cell(cell, u, time, true);
+              element.copy_stiffness(stiffness);
+            }
+          minus_residual = element.external;
+          minus_residual -= element.internal;
+          constraints.distribute_local_to_global(
+            stiffness, minus_residual, dof_indices, matrix, rhs);
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  SolidAssembler<dim>::evaluate_cell(const CellIterator &cell,
+                                     const LA::Vector   &u,
+                                     const double        time,
+                                     const bool          with_tangent)
+  {
+    cell->get_dof_indices(dof_indices);
+    element.reinit(u, dof_indices);
+    fe_values.reinit(typename Triangulation<dim>::active_cell_iterator(cell));
+    add_stresses(cell, with_tangent);
+    add_body_forces(cell, time);
+    surface_loads.add_cell(cell, time, with_tangent, element);
+  }
+
+
+
+  template <int dim>
+  void
+  SolidAssembler<dim>::add_stresses(const CellIterator &cell,
+                                    const bool          with_tangent)
+  {
+    const ConstitutiveLaw &law        = *laws[cell->material_id()];
+    const unsigned int     cell_index = cell->active_cell_index();
+    Tensor<2, 3>           P;
+    Tensor<4, 3>           dP_dF;
+    for (unsigned int q = 0; q < quadrature.size(); ++q)
+      {
+        element.set_gradients(fe_values, q);
+        const Tensor<2, 3> F = element.deformation_gradient();
+        const bool         has_volume =
+          law.is_geometrically_linear() || determinant(F) > 0.;
+        if (!has_volume || !law.evaluate(F,
+                                         history.accepted(cell_index, q),
+                                         history.trial(cell_index, q),
+                                         P,
+                                         with_tangent ? &dP_dF : nullptr))
+          {
+            record_failure(cell, q, has_volume);
+            continue;
+          }
+        element.add_stress(P, fe_values.JxW(q));
+        if (with_tangent)
+          element.add_stress_tangent(dP_dF, fe_values.JxW(q));
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  SolidAssembler<dim>::add_body_forces(const CellIterator &cell,
+                                       const double        time)
+  {
+    for (const Load<dim> *load :
+         body_forces[bodies.body_of(cell->material_id())])
+      for (unsigned int q = 0; q < quadrature.size(); ++q)
+        element.add_load(fe_values,
+                         q,
+                         load->value->vector(fe_values.quadrature_point(q),
+                                             time),
+                         element.external);
+  }
+
+
+
+  template <int dim>
+  void
+  SolidAssembler<dim>::set_rigid_cell(const CellIterator &cell)
+  {
+    // All degrees of freedom are prescribed; the matrix needs a diagonal of
+    // the size of its neighbours: modulus x length^(dim - 2).
+    cell->get_dof_indices(dof_indices);
+    element.internal     = 0.;
+    element.external     = 0.;
+    const double modulus = largest_modulus > 0. ? largest_modulus : 1.;
+    const double entry   = modulus * std::pow(cell->diameter(), dim - 2);
+    stiffness            = 0.;
+    for (unsigned int i = 0; i < dof_indices.size(); ++i)
+      stiffness(i, i) = entry;
+  }
+
+
+
+  template <int dim>
+  void
+  SolidAssembler<dim>::record_failure(const CellIterator &cell,
+                                      const unsigned int  q,
+                                      const bool          has_volume)
+  {
+    const Point<dim> &position = fe_values.quadrature_point(q);
+    // The same point on any number of ranks: the smallest coordinates.
+    if (failure.happened &&
+        !std::lexicographical_compare(position.begin_raw(),
+                                      position.end_raw(),
+                                      failure.position.begin_raw(),
+                                      failure.position.end_raw()))
+      return;
+    failure.happened   = true;
+    failure.position   = position;
+    failure.has_volume = has_volume;
+    failure.body       = bodies.body_of(cell->material_id());
+  }
+
+
+
+  template <int dim>
+  bool
+  SolidAssembler<dim>::state_is_admissible() const
+  {
+    return Utilities::MPI::max(failure.happened ? 1 : 0,
+                               dof_handler.get_communicator()) == 0;
+  }
+
+
+
+  template <int dim>
+  std::string
+  SolidAssembler<dim>::inadmissible_point() const
+  {
+    // Position first, so that the smallest coordinates win over the ranks.
+    std::vector<double> mine;
+    if (failure.happened)
+      {
+        mine.assign(failure.position.begin_raw(), failure.position.end_raw());
+        mine.push_back(failure.body);
+        mine.push_back(failure.has_volume);
+      }
+    std::vector<double> first;
+    for (const std::vector<double> &other :
+         Utilities::MPI::all_gather(dof_handler.get_communicator(), mine))
+      if (!other.empty() && (first.empty() || other < first))
+        first = other;
+    if (first.empty())
+      return "";
+
+    std::ostringstream text;
+    text << (first[dim + 1] != 0. ? "The constitutive law found no stress"
+                                  : "The volume is not positive")
+         << " in body '" << bodies.bodies[first[dim]].name
+         << "' at the reference position (";
+    for (unsigned int d = 0; d < dim; ++d)
+      text << (d == 0 ? "" : ", ") << first[d];
+    text << ").";
+    return text.str();
+  }
+
+
+
+  template <int dim>
+  void
+  SolidAssembler<dim>::accept()
+  {
+    history.accept();
+  }
+
+
+
+  template <int dim>
+  void
+  SolidAssembler<dim>::restore()
+  {
+    history.restore();
+  }
+
+
+
+  template <int dim>
+  void
+  SolidAssembler<dim>::evaluate_point_states(const CellIterator      &cell,
+                                             const LA::Vector        &u,
+                                             std::vector<PointState> &states)
+  {
+    states.clear();
+    if (is_rigid(cell))
+      return;
+    cell->get_dof_indices(dof_indices);
+    element.reinit(u, dof_indices);
+    fe_values.reinit(typename Triangulation<dim>::active_cell_iterator(cell));
+
+    const ConstitutiveLaw &law = *laws[cell->material_id()];
+    std::vector<double>    new_history(law.n_history_variables());
+    for (unsigned int q = 0; q < quadrature.size(); ++q)
+      {
+        element.set_gradients(fe_values, q);
+        const Tensor<2, 3> F = element.deformation_gradient();
+        PointState         state;
+        state.reference_position = fe_values.quadrature_point(q);
+        state.JxW                = fe_values.JxW(q);
+
+        const ArrayView<double> new_variables(new_history.data(),
+                                              new_history.size());
+        Tensor<2, 3>            P;
+        if (law.evaluate(F,
+                         history.accepted(cell->active_cell_index(), q),
+                         new_variables,
+                         P,
+                         nullptr))
+          {
+            const Tensor<2, 3> F_full =
+              law.full_deformation_gradient(F, new_variables);
+            state.cauchy_stress = law.cauchy_stress(F_full, P);
+            state.strain        = law.strain(F_full);
+          }
+        states.push_back(state);
+      }
+  }
+
+
+
+  template <int dim>
+  double
+  SolidAssembler<dim>::longitudinal_modulus(
+    const types::material_id material) const
+  {
+    return laws[material] ? laws[material]->longitudinal_modulus() : 0.;
+  }
+
+
+
+  template class SolidAssembler<2>;
+  template class SolidAssembler<3>;
+} // namespace stickslip

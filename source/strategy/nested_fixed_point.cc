@@ -1,0 +1,69 @@
+#include <stickslip/base/no_convergence.h>
+
+#include <stickslip/strategy/nested_fixed_point.h>
+
+#include <sstream>
+
+namespace stickslip
+{
+  NestedFixedPoint::NestedFixedPoint(std::vector<FixedPointLoop> loops,
+                                     InnerSolver                 solve_inner,
+                                     Report                      report)
+    : loops(std::move(loops))
+    , solve_inner(std::move(solve_inner))
+    , report(std::move(report))
+  {}
+
+
+
+  void
+  NestedFixedPoint::solve(LA::BlockVector &x) const
+  {
+    for (const FixedPointLoop &loop : loops)
+      loop.quantity->set_live(loop.is_live);
+    std::string failure;
+    if (!solve_level(0, x, failure))
+      throw NoConvergence("Fixed point", failure);
+  }
+
+
+
+  bool
+  NestedFixedPoint::solve_level(const unsigned int level,
+                                LA::BlockVector   &x,
+                                std::string       &failure) const
+  {
+    if (level == loops.size())
+      {
+        solve_inner(x);
+        return true;
+      }
+    const FixedPointLoop &loop = loops[level];
+    if (loop.is_live)
+      return solve_level(level + 1, x, failure);
+
+    loop.quantity->evaluate(x);
+    loop.quantity->accept();
+    double change = 0.;
+    for (unsigned int pass = 1; pass <= loop.max_iterations; ++pass)
+      {
+        // An inner loop may run into its limit while this one is still far from
+        // its fixed point (the first statuses cycle); only the last pass
+        // counts.
+        const bool inner_converged = solve_level(level + 1, x, failure);
+        loop.quantity->evaluate(x);
+        change = loop.quantity->change();
+        loop.quantity->accept();
+        ++*loop.n_loops;
+        report(loop.quantity->name(), pass, change, level);
+        if (inner_converged && change <= loop.tolerance)
+          return true;
+      }
+    std::ostringstream text;
+    text << "the " << loop.quantity->name() << " loop did not settle in "
+         << loop.max_iterations << " passes; last change " << change
+         << " (tolerance " << loop.tolerance << ")";
+    failure = text.str();
+    return false;
+  }
+} // namespace stickslip

@@ -1,0 +1,187 @@
+#include <stickslip/base/no_convergence.h>
+
+#include <stickslip/strategy/newton_solver.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// Residual growth beyond which an iteration counts as diverged.
+    constexpr double divergence_factor = 1e12;
+
+
+
+    double
+    relative_increment(const LA::BlockVector &x,
+                       const LA::BlockVector &increment)
+    {
+      double largest = 0.;
+      for (unsigned int b = 0; b < x.n_blocks(); ++b)
+        if (x.block(b).size() > 0)
+          {
+            const double scale = x.block(b).linfty_norm();
+            if (scale > 0.)
+              largest =
+                std::max(largest, increment.block(b).linfty_norm() / scale);
+          }
+      return largest;
+    }
+
+
+
+    double
+    merit(const NewtonIteration &state)
+    {
+      return std::max(state.equilibrium, state.contact);
+    }
+  } // namespace
+
+
+
+  void
+  NewtonParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Max iterations",
+                      max_iterations,
+                      "Newton iterations after which a solve has failed.",
+                      Patterns::Integer(1));
+    prm.add_parameter(
+      "Equilibrium tolerance",
+      equilibrium_tolerance,
+      "Largest ||F_int + F_contact - F_ext|| / max(||F_ext||, ||reactions||) "
+      "(eq. 25 of the paper).",
+      Patterns::Double(0.));
+    prm.add_parameter(
+      "Contact tolerance",
+      contact_tolerance,
+      "Largest violation of a weak contact condition: gap over the size of the "
+      "slave face, or error of the friction multiplier.",
+      Patterns::Double(0.));
+    prm.add_parameter(
+      "Increment tolerance",
+      increment_tolerance,
+      "Largest relative change of displacements and multipliers in the last "
+      "iteration (the further terms of eq. 26).",
+      Patterns::Double(0.));
+    prm.add_parameter(
+      "Line search",
+      line_search,
+      "none: full steps. backtracking: the step is halved while "
+      "the residual grows.",
+      Patterns::Selection("none|backtracking"));
+    prm.add_parameter("Max halvings",
+                      max_halvings,
+                      "How often a step is halved by the line search, or "
+                      "because it inverts a cell.",
+                      Patterns::Integer(0, 30));
+  }
+
+
+
+  NewtonSolver::NewtonSolver(const NewtonParameters &parameters,
+                             NewtonOperators         operators)
+    : parameters(parameters)
+    , operators(std::move(operators))
+  {}
+
+
+
+  bool
+  NewtonSolver::is_converged(const unsigned int     iteration,
+                             const NewtonIteration &state) const
+  {
+    return state.prescribed == 0. &&
+           state.equilibrium <= parameters.equilibrium_tolerance &&
+           state.contact <= parameters.contact_tolerance &&
+           (iteration == 0 ||
+            state.increment <= parameters.increment_tolerance);
+  }
+
+
+
+  NewtonIteration
+  NewtonSolver::advance(LA::BlockVector       &x,
+                        const LA::BlockVector &increment,
+                        const NewtonIteration &before) const
+  {
+    const LA::BlockVector start(x);
+    NewtonIteration       best;
+    double                best_merit = std::numeric_limits<double>::max();
+    double                step       = 1.;
+    std::string           reason;
+    for (unsigned int halvings = 0; halvings <= parameters.max_halvings;
+         ++halvings, step *= 0.5)
+      {
+        x = start;
+        x.add(step, increment);
+        NewtonIteration state     = operators.residual(x);
+        const bool      is_finite = std::isfinite(merit(state));
+        if (!is_finite || !operators.is_admissible(reason))
+          {
+            if (!is_finite && reason.empty())
+              reason = "the residual is not a number";
+            continue;
+          }
+        state.step_length = step;
+        if (parameters.line_search == "none" || before.prescribed > 0. ||
+            merit(state) < (1. - 0.1 * step) * merit(before))
+          return state;
+        if (merit(state) < best_merit)
+          {
+            best       = state;
+            best_merit = merit(state);
+          }
+      }
+    if (best_merit == std::numeric_limits<double>::max())
+      throw NoConvergence("Newton", reason);
+    // No step reduces the residual (its kinks make that normal): take the best.
+    x = start;
+    x.add(best.step_length, increment);
+    operators.residual(x);
+    return best;
+  }
+
+
+
+  unsigned int
+  NewtonSolver::solve(LA::BlockVector &x) const
+  {
+    LA::BlockVector increment(x);
+    operators.begin_iteration(x);
+    NewtonIteration state = operators.residual(x);
+    operators.report(0, state);
+    double first = merit(state);
+    for (unsigned int iteration = 0; iteration < parameters.max_iterations;
+         ++iteration)
+      {
+        if (is_converged(iteration, state))
+          return iteration;
+        increment = 0.;
+        operators.solve_increment(x, increment);
+        state           = advance(x, increment, state);
+        state.increment = relative_increment(x, increment);
+        // the scales follow the pressure, so what they scale must be renewed
+        operators.begin_iteration(x);
+        operators.report(iteration + 1, state);
+        first = std::max(first, merit(state) * (iteration == 0));
+        if (merit(state) > divergence_factor * std::max(first, 1.))
+          break;
+      }
+    if (is_converged(parameters.max_iterations, state))
+      return parameters.max_iterations;
+    std::ostringstream text;
+    text << "no convergence in " << parameters.max_iterations
+         << " iterations; last equilibrium residual " << state.equilibrium
+         << " (tolerance " << parameters.equilibrium_tolerance
+         << "), contact residual " << state.contact << " (tolerance "
+         << parameters.contact_tolerance << "), relative increment "
+         << state.increment << " (tolerance " << parameters.increment_tolerance
+         << ")";
+    throw NoConvergence("Newton", text.str());
+  }
+} // namespace stickslip

@@ -1,0 +1,106 @@
+#include <stickslip/strategy/solution_strategy.h>
+
+#include <map>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// Is geometry, threshold, status live?
+    using LiveFlags = std::array<bool, 3>;
+
+    const std::map<std::string, LiveFlags> &
+    named_algorithms()
+    {
+      static const std::map<std::string, LiveFlags> algorithms = {
+        {"FPM", {{false, false, false}}},
+        {"PNM", {{false, true, true}}},
+        {"GNM", {{true, true, true}}}};
+      return algorithms;
+    }
+  } // namespace
+
+
+
+  void
+  LoopParameters::add_parameters(ParameterHandler &prm, const std::string &what)
+  {
+    prm.add_parameter("Treatment",
+                      treatment,
+                      "With 'Name = custom': newton recomputes the " + what +
+                        " in every residual and linearizes it; fixed point "
+                        "freezes it during Newton and refreshes it in a loop.",
+                      Patterns::Selection("newton|fixed point"));
+    prm.add_parameter("Tolerance",
+                      tolerance,
+                      "Largest relative change of the " + what +
+                        " at which its fixed-point loop has converged.",
+                      Patterns::Double(0.));
+    prm.add_parameter("Max iterations",
+                      max_iterations,
+                      "Largest number of passes of its fixed-point loop.",
+                      Patterns::Integer(1));
+  }
+
+
+
+  void
+  AlgorithmParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter(
+      "Name",
+      name,
+      "FPM: fixed points on geometry, friction threshold and contact status. "
+      "PNM: fixed point on the geometry, the rest in Newton. GNM: everything "
+      "in "
+      "Newton. custom: what the Treatment of each quantity says.",
+      Patterns::Selection("FPM|PNM|GNM|custom"));
+    prm.add_parameter(
+      "Tangent",
+      tangent,
+      "consistent: all geometric terms of a live geometry, converges "
+      "quadratically. quasi: without the second variations (paper, 3.2.4).",
+      Patterns::Selection("consistent|quasi"));
+    prm.enter_subsection("Geometry");
+    geometry.add_parameters(prm, "contact geometry (Res(geom))");
+    prm.leave_subsection();
+    prm.enter_subsection("Threshold");
+    threshold.add_parameters(prm, "friction threshold (Res(seuil))");
+    prm.leave_subsection();
+    prm.enter_subsection("Status");
+    status.add_parameters(prm, "number of points that change contact status");
+    prm.leave_subsection();
+    prm.enter_subsection("Newton");
+    newton.add_parameters(prm);
+    prm.leave_subsection();
+  }
+
+
+
+  std::vector<FixedPointLoop>
+  make_loops(const AlgorithmParameters                &parameters,
+             const std::array<FreezableQuantity *, 3> &quantities,
+             SolveCounts                              &counts)
+  {
+    const std::array<const LoopParameters *, 3> loop_parameters = {
+      {&parameters.geometry, &parameters.threshold, &parameters.status}};
+    const std::array<unsigned int *, 3> loop_counts = {
+      {&counts.geometry_loops, &counts.threshold_loops, &counts.status_loops}};
+    const auto named = named_algorithms().find(parameters.name);
+
+    std::vector<FixedPointLoop> loops;
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        FixedPointLoop loop;
+        loop.quantity       = quantities[i];
+        loop.is_live        = named != named_algorithms().end()
+                                ? named->second[i]
+                                : loop_parameters[i]->treatment == "newton";
+        loop.tolerance      = loop_parameters[i]->tolerance;
+        loop.max_iterations = loop_parameters[i]->max_iterations;
+        loop.n_loops        = loop_counts[i];
+        loops.push_back(loop);
+      }
+    return loops;
+  }
+} // namespace stickslip

@@ -1,0 +1,199 @@
+// build_mesh() with mesh files, and its messages for bad input.
+
+#include "print_mesh.h"
+
+#include <fstream>
+
+namespace
+{
+  BodyParameters
+  from_file(const std::string &file)
+  {
+    BodyParameters body;
+    body.mesh_file = file;
+    body.material  = "steel";
+    return body;
+  }
+
+
+
+  template <int dim>
+  void
+  show_error(const NamedList<BodyParameters>    &bodies,
+             const std::vector<PeriodicRequest> &periodic = {})
+  {
+    std::string message = "  no error";
+    try
+      {
+        build_mesh<dim>(MeshParameters(), bodies, periodic, comm);
+      }
+    catch (const UserError &error)
+      {
+        message = std::string("  ") + error.what();
+      }
+    print(message);
+  }
+
+
+
+  void
+  write(const std::string &file_name, const std::string &contents)
+  {
+    if (is_root())
+      std::ofstream(file_name) << contents;
+    MPI_Barrier(comm);
+  }
+
+
+
+  /// Two unit squares in Gmsh's format 2.2; physical ids 7 and 8 on the left
+  /// and right sides, 1 and 2 on the cells. @p first_cell can be spoilt.
+  std::string
+  gmsh_file(const std::string &first_cell)
+  {
+    return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n"
+           "1 0 0 0\n2 1 0 0\n3 2 0 0\n4 0 1 0\n5 1 1 0\n6 2 1 0\n$EndNodes\n"
+           "$Elements\n4\n1 1 2 7 1 1 4\n2 1 2 8 2 3 6\n" +
+           first_cell + "\n4 3 2 2 2 2 3 6 5\n$EndElements\n";
+  }
+
+
+
+  void
+  test_files()
+  {
+    write("two_squares.msh", gmsh_file("3 3 2 1 1 1 2 5 4"));
+    write("clockwise.msh", gmsh_file("3 3 2 1 1 1 4 5 2"));
+    write("triangles.msh",
+          "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n"
+          "3 0 1 0\n$EndNodes\n$Elements\n1\n1 2 2 1 1 1 2 3\n$EndElements\n");
+    write("truncated.msh", gmsh_file("3 3 2 1 1 1 2 5 4").substr(0, 130));
+    write("no_node.msh", gmsh_file("3 3 2 1 1 1 2 5 9"));
+    write("binary.msh", "$MeshFormat\n4.1 1 8\n$EndMeshFormat\n");
+    write("strange.mesh", "something");
+    write("empty.msh", "");
+    write("cube.inp",
+          "*HEADING\ncube\n*NODE, NSET=ALLNODES\n1, 0., 0., 0.\n2, 1., 0., 0.\n"
+          "3, 1., 1., 0.\n4, 0., 1., 0.\n5, 0., 0., 2.\n6, 1., 0., 2.\n"
+          "7, 1., 1., 2.\n8, 0., 1., 2.\n*ELEMENT, TYPE=C3D8R, ELSET=EB1\n"
+          "1, 1, 2, 3, 4, 5, 6, 7, 8\n*ELSET, ELSET=SS4_E1\n1\n"
+          "*SURFACE, NAME=SS4\nSS4_E1, S2\n*SOLID SECTION, ELSET=EB1, "
+          "MATERIAL=Default-Steel\n*END STEP\n");
+    write("square.ucd",
+          "5 2 0 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 9 9 0\n"
+          "1 3 quad 1 2 3 4\n2 5 line 1 2\n");
+    write("square.vtk",
+          "# vtk DataFile Version 3.0\nsquare\nASCII\nDATASET "
+          "UNSTRUCTURED_GRID\nPOINTS 4 double\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n"
+          "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n9\n");
+
+    BodyParameters squares   = from_file("two_squares.msh");
+    squares.material_regions = "rubber: id == 2";
+    squares.refinements      = 1;
+    show<2>("Gmsh file", {{"squares", squares}});
+    show<2>("Gmsh file with a clockwise cell",
+            {{"squares", from_file("clockwise.msh")}});
+    show<3>("Abaqus file", {{"cube", from_file("cube.inp")}});
+    show<2>("UCD file", {{"square", from_file("square.ucd")}});
+    show<2>("VTK file", {{"square", from_file("square.vtk")}});
+    MeshParameters elsewhere;
+    elsewhere.input_directory = "no_such_folder";
+    show<2>("working directory is the second choice",
+            {{"square", from_file("square.vtk")}},
+            elsewhere);
+  }
+
+
+
+  BodyParameters
+  with(std::string BodyParameters::*member, const std::string &value)
+  {
+    BodyParameters body = generated("hyper_cube", "0 : 1 : true");
+    body.*member        = value;
+    return body;
+  }
+
+
+
+  void
+  test_errors()
+  {
+    print("errors");
+    show_error<2>({});
+    show_error<2>({{"a", BodyParameters()}});
+    show_error<2>({{"a", with(&BodyParameters::mesh_file, "x.msh")}});
+    show_error<2>({{"a", with(&BodyParameters::generator, "hyper_bal")}});
+    show_error<2>({{"a", with(&BodyParameters::generator, "torus")}});
+    show_error<2>({{"a", with(&BodyParameters::arguments, "0 : a")}});
+    show_error<2>({{"a", with(&BodyParameters::arguments, "0:1:true:2")}});
+    show_error<2>({{"a", generated("hyper_shell", "0, 0")}});
+    show_error<2>({{"a", generated("hyper_rectangle", "0, 0, 0 : 1, 1, 1")}});
+    show_error<2>({{"a", generated("hyper_shell", "0, 0 : 2 : 1 : 8")}});
+    show_error<2>(
+      {{"a", generated("graded_hyper_rectangle", "0 |2| 1 : 2, 1")}});
+    show_error<2>({{"a", generated("annular_sector", "1:2:0:360:1:2")}});
+    show_error<2>({{"a", with(&BodyParameters::coordinates, "x")}});
+    show_error<2>({{"a", with(&BodyParameters::coordinates, "x; y + q")}});
+    show_error<2>({{"a", with(&BodyParameters::coordinates, "-x; y")}});
+    show_error<2>({{"a", with(&BodyParameters::coordinates, "0; y")}});
+    show_error<2>({{"a", with(&BodyParameters::boundary_ids, "7: y > 5")}});
+    show_error<2>({{"a", with(&BodyParameters::boundary_ids, "top: y > 0")}});
+    show_error<2>({{"a", with(&BodyParameters::boundary_ids, "7 y > 0")}});
+    show_error<2>({{"a", with(&BodyParameters::boundary_ids, "7: y >")}});
+    show_error<2>({{"a", with(&BodyParameters::material, "")}});
+    show_error<2>(
+      {{"a", with(&BodyParameters::material_regions, "m: id == 9")}});
+    BodyParameters body = generated("hyper_cube", "");
+    body.scale          = {1., -1.};
+    show_error<2>({{"a", body}});
+    body             = generated("hyper_cube", "");
+    body.translation = {1., 1.};
+    show_error<3>({{"a", body}});
+
+    for (const std::string file : {"missing.msh",
+                                   "empty.msh",
+                                   "triangles.msh",
+                                   "truncated.msh",
+                                   "no_node.msh",
+                                   "binary.msh",
+                                   "strange.mesh",
+                                   "cube.inp",
+                                   "."})
+      show_error<2>({{"a", from_file(file)}});
+    for (const std::string file :
+         {"two_squares.msh", "square.ucd", "square.vtk"})
+      show_error<3>({{"a", from_file(file)}});
+
+    PeriodicRequest request;
+    request.parameter_path                 = "Boundary conditions/sides";
+    request.body                           = "b";
+    request.second                         = 2;
+    const NamedList<BodyParameters> bodies = {
+      {"a", generated("hyper_cube", "0 : 1 : true")}};
+    show_error<2>(bodies, {request});
+    request.body = "a";
+    show_error<2>(bodies, {request});
+    request.second = 9;
+    show_error<2>(bodies, {request});
+
+    const Mesh<2> mesh = build_mesh<2>(MeshParameters(), bodies, {}, comm);
+    try
+      {
+        mesh.bodies.global_boundary_ids("a", {0, 8}, "Contact/pair/Slave");
+      }
+    catch (const UserError &error)
+      {
+        print(std::string("  ") + error.what());
+      }
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test_files();
+  test_errors();
+}

@@ -1,0 +1,206 @@
+// Internal and external forces and their tangent on small meshes, distorted,
+// locally refined and distributed.
+
+#include "solid_problem.h"
+
+using namespace solid_test;
+
+namespace
+{
+  /// St Venant-Kirchhoff, follower pressure, springs and dead loads on a
+  /// distorted and locally refined mesh.
+  template <int dim>
+  void
+  test_tangent(const unsigned int degree)
+  {
+    Problem<dim> problem(degree);
+    problem.distort();
+    problem.refine_one_cell();
+    auto spring            = condition("spring", {2});
+    spring.stiffness       = 7.;
+    spring.direction       = (dim == 2 ? "1, 2" : "1, 2, -1");
+    auto other_spring      = condition("spring", {3});
+    other_spring.stiffness = 3.;
+    problem.finish(
+      steel<SaintVenantKirchhoff>(),
+      {{"gas", condition("follower pressure", {1, 3}, "20*(1+x*y)*t")},
+       {"spring", spring},
+       {"bed", other_spring},
+       {"weight",
+        condition("body force", {}, dim == 2 ? "0; -1" : "0; 0; -1")}});
+
+    const auto state = [](const Point<dim> &p) {
+      Tensor<1, dim> u;
+      for (unsigned int d = 0; d < dim; ++d)
+        u[d] = 0.1 * std::sin(p[d] + 2. * p[(d + 1) % dim]);
+      return u;
+    };
+    const auto direction = [](const Point<dim> &p) {
+      Tensor<1, dim> u;
+      for (unsigned int d = 0; d < dim; ++d)
+        u[d] = std::cos(3. * p[d] - p[(d + 1) % dim]) + p[0] * p[1];
+      return u;
+    };
+
+    problem.interpolate(state);
+    LA::SparseMatrix matrix;
+    LA::Vector       minus_residual;
+    problem.assemble_tangent(0.5, problem.geometric, matrix, minus_residual);
+    LA::Vector sum = problem.residual(0.5);
+    sum += minus_residual;
+    print(case_name<dim>("rhs of the tangent is minus the residual", degree),
+          sum.linfty_norm() < 1e-12);
+
+    problem.interpolate(direction);
+    LA::Vector v(problem.owned, MPI_COMM_WORLD), product(v);
+    v = problem.u;
+    // Hanging nodes have been eliminated from the matrix.
+    problem.geometric.set_zero(v);
+    matrix.vmult(product, v);
+    problem.geometric.set_zero(product);
+
+    const double h                  = 1e-5;
+    const auto   displaced_residual = [&](const double step) {
+      problem.interpolate([&](const Point<dim> &p) {
+        return Tensor<1, dim>(state(p) + step * direction(p));
+      });
+      return problem.residual(0.5);
+    };
+    LA::Vector difference = displaced_residual(h);
+    difference -= displaced_residual(-h);
+    difference /= 2. * h;
+    problem.geometric.set_zero(difference);
+    difference -= product;
+    print(case_name<dim>("tangent within 1e-8 of differences", degree),
+          difference.l2_norm() < 1e-8 * product.l2_norm());
+  }
+
+
+
+  /// A closed surface under constant pressure carries no resultant, however
+  /// it is deformed.
+  template <int dim>
+  void
+  test_closed_surface(const unsigned int degree)
+  {
+    Problem<dim> problem(degree);
+    problem.distort();
+    std::vector<unsigned int> all(2 * dim);
+    for (unsigned int id = 0; id < 2 * dim; ++id)
+      all[id] = id;
+    problem.finish(steel<SaintVenantKirchhoff>(),
+                   {{"gas", condition("follower pressure", all, "5")}});
+    problem.interpolate([](const Point<dim> &p) {
+      Tensor<1, dim> u;
+      u[0] = 0.2 * p[1] * p[1];
+      u[1] = -0.3 * p[0] * p[1];
+      return u;
+    });
+    LA::Vector force;
+    problem.residual(0., &force);
+    double worst = 0.;
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        std::vector<bool> mask(dim, false);
+        mask[d]            = true;
+        double         sum = 0.;
+        const IndexSet dofs =
+          DoFTools::extract_dofs(problem.dof_handler, ComponentMask(mask));
+        for (const auto dof : dofs)
+          sum += force(dof);
+        worst =
+          std::max(worst, std::abs(Utilities::MPI::sum(sum, MPI_COMM_WORLD)));
+      }
+    print(case_name<dim>("follower pressure on a closed surface", degree),
+          worst < 1e-12 && force.linfty_norm() > 0.1);
+  }
+
+
+
+  /// Displacements that are linear on the boundary are so inside.
+  template <int dim>
+  void
+  test_patch(const unsigned int degree)
+  {
+    Problem<dim> problem(degree);
+    problem.distort();
+    problem.refine_one_cell();
+    std::vector<unsigned int> all(2 * dim);
+    for (unsigned int id = 0; id < 2 * dim; ++id)
+      all[id] = id;
+    problem.finish(steel<LinearElastic>(),
+                   {{"hold",
+                     condition("displacement",
+                               all,
+                               dim == 2 ? "t*0.01*x; t*0.02*x"
+                                        : "t*0.01*x; t*0.02*x; 0")}});
+    problem.interpolate([](const Point<dim> &) { return Tensor<1, dim>(); });
+    const Constraints     constraints = problem.increment_constraints(1.);
+    std::vector<IndexSet> owned_sets =
+      Utilities::MPI::all_gather(MPI_COMM_WORLD, problem.owned);
+    IndexSet active;
+    DoFTools::extract_locally_active_dofs(problem.dof_handler, active);
+    print(case_name<dim>("constraints are the same on all ranks", degree),
+          constraints.is_consistent_in_parallel(owned_sets,
+                                                active,
+                                                MPI_COMM_WORLD));
+
+    problem.solve(1., 1);
+    const double          lambda = 100. * 0.3 / (1.3 * 0.4), mu = 100. / 2.6;
+    SymmetricTensor<2, 3> stress;
+    stress[0][0] = (lambda + 2. * mu) * 0.01;
+    stress[1][1] = stress[2][2] = lambda * 0.01;
+    stress[0][1]                = mu * 0.02;
+    print(case_name<dim>("patch of linear displacements", degree),
+          problem.stress_error(stress) < 1e-11);
+    LA::Vector reactions = problem.residual(1.);
+    print(case_name<dim>("second step changes nothing", degree),
+          problem.solve(1., 1) < 1e-14 && reactions.linfty_norm() > 0.01);
+  }
+
+
+
+  void
+  test_inadmissible_state()
+  {
+    Problem<2> problem(1);
+    problem.finish(steel<SaintVenantKirchhoff>(), {});
+    problem.residual(0.);
+    print("undeformed state is admissible",
+          problem.assembler->state_is_admissible());
+    problem.interpolate([](const Point<2> &p) {
+      Tensor<1, 2> u;
+      u[0] = -2. * p[0];
+      return u;
+    });
+    problem.residual(0.);
+    print("inverted state is inadmissible",
+          !problem.assembler->state_is_admissible());
+    print(problem.assembler->inadmissible_point());
+  }
+
+
+
+  template <int dim>
+  void
+  test_dimension()
+  {
+    for (const unsigned int degree : {1, 2})
+      {
+        test_tangent<dim>(degree);
+        test_closed_surface<dim>(degree);
+        test_patch<dim>(degree);
+      }
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test_dimension<2>();
+  test_dimension<3>();
+  test_inadmissible_state();
+}
