@@ -257,10 +257,7 @@ namespace stickslip
       {
         kinematics.D_n =
           normal_derivative_at_fixed_xi(master, smoothed_normals);
-        bool interior = true;
-        for (const bool direction_is_free : frame.free)
-          interior = interior && direction_is_free;
-        if (interior)
+        if (frame.is_interior())
           interior_xi_derivative<dim>(master,
                                       n * r,
                                       kinematics.D_n,

@@ -137,6 +137,7 @@ namespace stickslip
                                                   ? parameters.search_distance
                                                   : 4. * largest_slave_diameter,
                                                parameters.projection_tolerance,
+                                               parameters.facet_overlap,
                                                communicator);
 
     exclude_nodes(excluded_boundary, mapping, dof_handler);
@@ -405,6 +406,8 @@ namespace stickslip
         boxes.emplace_back(corners);
       }
     patch->fetch(boxes, u, margin);
+    for (auto &point : points)
+      patch->relocate(point.frame);
     positions_at_fetch        = slave_now;
     master_positions_at_fetch = master_now;
     return true;
@@ -442,7 +445,7 @@ namespace stickslip
       surface_normal<dim>(slave_tangents(nodes, point.quadrature_index));
     outward /= outward.norm();
     const SlavePosition<dim> slave = slave_position(point);
-    ContactFrame<dim>        frame = patch->find(slave.x, outward);
+    ContactFrame<dim>        frame = patch->find(slave.x, outward, point.frame);
     if (frame.paired)
       frame.tau = tangent_basis<dim>(frame.n, slave.direction);
     return frame;

@@ -186,6 +186,12 @@ namespace stickslip
       "point may lie to be paired with it, as a fraction of the "
       "face size.",
       Patterns::Double(0.));
+    prm.add_parameter("Facet overlap",
+                      facet_overlap,
+                      "A point keeps its master facet until its projection is "
+                      "this fraction of the facet outside: points at a kink "
+                      "between facets then do not hop for ever.",
+                      Patterns::Double(0., 0.2));
     prm.add_parameter("Gap offset",
                       gap_offset,
                       "Function of x, y, z, t added to the gap [length]: a "

@@ -10,6 +10,9 @@ namespace stickslip
 {
   namespace
   {
+    /// xi within [0,1] up to this is inside, so that shared edges leave no gap.
+    constexpr double inside_tolerance = 1e-10;
+
     /// Distances that differ by less than this fraction of the face are equal.
     constexpr double tie_tolerance = 1e-9;
 
@@ -124,11 +127,13 @@ namespace stickslip
                                 const FaceShape<dim>         &shape,
                                 const double                  search_distance,
                                 const double    projection_tolerance,
+                                const double    facet_overlap,
                                 const MPI_Comm &communicator)
     : owned(std::move(owned_faces))
     , shape(shape)
     , search_distance(search_distance)
     , projection_tolerance(projection_tolerance)
+    , facet_overlap(facet_overlap)
     , communicator(communicator)
   {}
 
@@ -204,8 +209,21 @@ namespace stickslip
       faces.begin(), faces.end(), id, [](const auto &face, const FaceId &name) {
         return face.id < name;
       });
-    Assert(position != faces.end() && position->id == id, ExcInternalError());
-    return position - faces.begin();
+    return position != faces.end() && position->id == id
+             ? position - faces.begin()
+             : faces.size();
+  }
+
+
+
+  template <int dim>
+  void
+  MasterPatch<dim>::relocate(ContactFrame<dim> &frame) const
+  {
+    if (!frame.paired)
+      return;
+    frame.face   = index_of(frame.face_id);
+    frame.paired = frame.face < faces.size();
   }
 
 
@@ -272,7 +290,8 @@ namespace stickslip
         const auto projection =
           on_edges
             ? project_on_boundary_of_face(faces[f], current[f], shape, x_s)
-            : project_on_face(faces[f], current[f], shape, x_s);
+            : project_on_face(
+                faces[f], current[f], shape, x_s, inside_tolerance);
         // Over a convex edge the overshoot shrinks with the gap; beyond the end
         // of the surface it does not.
         const double allowed =
@@ -289,12 +308,13 @@ namespace stickslip
         // a facet that looks away is the far side of a thin body
         if (point.n * slave_normal <= 0.1)
           continue;
-        distance    = std::min(distance, projection.distance);
-        best.paired = true;
-        best.face   = f;
-        best.xi     = projection.xi;
-        best.free   = projection.free;
-        best.n      = point.n;
+        distance     = std::min(distance, projection.distance);
+        best.paired  = true;
+        best.face    = f;
+        best.face_id = faces[f].id;
+        best.xi      = projection.xi;
+        best.free    = projection.free;
+        best.n       = point.n;
       }
     return best;
   }
@@ -303,11 +323,29 @@ namespace stickslip
 
   template <int dim>
   ContactFrame<dim>
-  MasterPatch<dim>::find(const Tensor<1, dim> &x_s,
-                         const Tensor<1, dim> &slave_normal) const
+  MasterPatch<dim>::find(const Tensor<1, dim>    &x_s,
+                         const Tensor<1, dim>    &slave_normal,
+                         const ContactFrame<dim> &hint) const
   {
     if (faces.empty())
       return ContactFrame<dim>();
+    if (hint.paired && hint.is_interior())
+      {
+        const unsigned int f = hint.face;
+        const auto         projection =
+          project_on_face(faces[f], current[f], shape, x_s, facet_overlap);
+        if (projection.found && projection.distance < 0.25 * faces[f].diameter)
+          {
+            MasterPoint<dim> point;
+            evaluate_master_point(
+              faces[f], current[f], shape, projection.xi, point);
+            ContactFrame<dim> frame = hint;
+            frame.xi                = projection.xi;
+            frame.n                 = point.n;
+            if (frame.n * slave_normal > 0.1)
+              return frame;
+          }
+      }
     // The nearest few faces nearly always hold the answer; bent surfaces with
     // large boxes need all within the search distance.
     const unsigned int n_near = dim == 2 ? 6 : 16;

@@ -7,11 +7,6 @@ namespace stickslip
 {
   namespace
   {
-    /// xi within [0,1] up to this is inside, so that shared edges leave no gap.
-    constexpr double inside_tolerance = 1e-10;
-
-
-
     template <int dim>
     void
     finish_projection(const MasterPoint<dim> &point,
@@ -31,7 +26,8 @@ namespace stickslip
   project_on_face(const SurfaceFace<dim>         &face,
                   const MasterConfiguration<dim> &configuration,
                   const FaceShape<dim>           &shape,
-                  const Tensor<1, dim>           &x_s)
+                  const Tensor<1, dim>           &x_s,
+                  const double                    overlap)
   {
     Projection<dim>  projection;
     MasterPoint<dim> point;
@@ -73,8 +69,7 @@ namespace stickslip
     if (!converged)
       return projection;
     for (unsigned int d = 0; d < dim - 1; ++d)
-      if (projection.xi[d] < -inside_tolerance ||
-          projection.xi[d] > 1. + inside_tolerance)
+      if (projection.xi[d] < -overlap || projection.xi[d] > 1. + overlap)
         return projection;
     evaluate_master_point(face, configuration, shape, projection.xi, point);
     projection.found = true;
@@ -141,7 +136,8 @@ namespace stickslip
   template Projection<dim> project_on_face(const SurfaceFace<dim> &,         \
                                            const MasterConfiguration<dim> &, \
                                            const FaceShape<dim> &,           \
-                                           const Tensor<1, dim> &);          \
+                                           const Tensor<1, dim> &,           \
+                                           const double);                    \
   template Projection<dim> project_on_boundary_of_face(                      \
     const SurfaceFace<dim> &,                                                \
     const MasterConfiguration<dim> &,                                        \

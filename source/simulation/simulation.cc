@@ -369,11 +369,17 @@ namespace stickslip
     for (unsigned int p = 0; p < resultants.size(); ++p)
       for (const auto &[name, value] : resultants[p].named_values())
         {
-          // forces beside forces, everything else by itself
+          // what is roundoff shows beside forces, or the other components
           const std::string full =
             parameters.contact_pairs[p].first + "." + name;
           const bool is_force = name.find("force") != std::string::npos;
-          results.add(is_force ? "force" : full, full, value);
+          const bool is_vector =
+            name.size() > 2 && name[name.size() - 2] == '_';
+          results.add(is_force    ? "force"
+                      : is_vector ? full.substr(0, full.size() - 2)
+                                  : full,
+                      full,
+                      value);
         }
     results.add("work", "external_work", external_work);
     results.add("work", "friction_work", friction_work);

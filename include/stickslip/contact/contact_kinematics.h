@@ -35,10 +35,21 @@ namespace stickslip
   {
     bool                                paired = false;
     unsigned int                        face   = 0; ///< in the local patch
+    FaceId                              face_id;    ///< the same, everywhere
     Point<dim - 1>                      xi;
     std::array<bool, dim - 1>           free{};
     Tensor<1, dim>                      n; ///< into the master
     std::array<Tensor<1, dim>, dim - 1> tau;
+
+    /// False on an edge or a corner of the face.
+    bool
+    is_interior() const
+    {
+      for (const bool direction_is_free : free)
+        if (!direction_is_free)
+          return false;
+      return true;
+    }
   };
 
   /// The slave's side of a contact point, now and at the start of the step.

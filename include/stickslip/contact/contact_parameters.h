@@ -59,6 +59,7 @@ namespace stickslip
     double                    smoothing_angle      = 60.;
     double                    search_distance      = 0.;
     double                    projection_tolerance = 0.05;
+    double                    facet_overlap        = 0.01;
     std::string               gap_offset           = "0";
     std::vector<unsigned int> excluded_boundaries;
     std::string               excluded_points;

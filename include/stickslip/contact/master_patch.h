@@ -39,6 +39,7 @@ namespace stickslip
                 const FaceShape<dim>         &shape,
                 const double                  search_distance,
                 const double                  projection_tolerance,
+                const double                  facet_overlap,
                 const MPI_Comm               &communicator);
 
     /**
@@ -62,12 +63,23 @@ namespace stickslip
      * Pairs a slave point: the nearest face on which it projects, else the
      * nearest edge or corner. @p slave_normal is the slave's outward normal;
      * only master facets that look at it are considered. Does not depend on the
-     * order of faces nor on earlier pairings. The tangent basis is not set.
+     * order of faces. A face that the point is paired with already (@p hint)
+     * is kept while the projection is at most `facet_overlap` outside of it:
+     * without that a point at a kink hops between two facets for ever. The
+     * tangent basis is not set.
      */
     ContactFrame<dim>
-    find(const Tensor<1, dim> &x_s, const Tensor<1, dim> &slave_normal) const;
+    find(const Tensor<1, dim>    &x_s,
+         const Tensor<1, dim>    &slave_normal,
+         const ContactFrame<dim> &hint) const;
 
-    /// Index of a face of the patch by its name.
+    /// Brings a frame made before fetch() to the present patch; unpaired if
+    /// its face is not there any more.
+    void
+    relocate(ContactFrame<dim> &frame) const;
+
+    /// Index of a face of the patch by its name; the number of faces if it is
+    /// not there.
     unsigned int
     index_of(const FaceId &id) const;
 
@@ -112,6 +124,7 @@ namespace stickslip
     const FaceShape<dim>                  shape;
     const double                          search_distance;
     const double                          projection_tolerance;
+    const double                          facet_overlap;
     MPI_Comm                              communicator;
 
     /// Candidate faces around @p x_s by distance of their boxes.

@@ -16,15 +16,6 @@ namespace stickslip
     double                    distance = 0.; ///< |x_s - xbar|
     /// Part of x_s - xbar that is not along the normal (0 inside the face).
     double overshoot = 0.;
-
-    bool
-    is_interior() const
-    {
-      for (const bool direction_is_free : free)
-        if (!direction_is_free)
-          return false;
-      return true;
-    }
   };
 
   /**
@@ -34,14 +25,16 @@ namespace stickslip
    *
    * by Newton's method in (xi, d_n). With facet normals this is the closest
    * point projection; with smoothed normals the projection is continuous across
-   * facets. `found` only if xi is inside the face up to a relative 1e-10.
+   * facets. `found` only if xi is inside the face, or outside by at most the
+   * fraction @p overlap of the face.
    */
   template <int dim>
   Projection<dim>
   project_on_face(const SurfaceFace<dim>         &face,
                   const MasterConfiguration<dim> &configuration,
                   const FaceShape<dim>           &shape,
-                  const Tensor<1, dim>           &x_s);
+                  const Tensor<1, dim>           &x_s,
+                  const double                    overlap);
 
   /// Closest point of @p x_s on the edges and corners of a master face.
   template <int dim>
