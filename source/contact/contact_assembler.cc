@@ -4,78 +4,6 @@
 
 namespace stickslip
 {
-  namespace
-  {
-    /// How a local unknown enters the generalized coordinates.
-    using Column = std::vector<std::pair<unsigned int, double>>;
-
-
-
-    template <int dim>
-    std::vector<Column>
-    make_columns(const ContactPair<dim>  &pair,
-                 const ContactPoint<dim> &point,
-                 const MasterPoint<dim>  &master,
-                 const bool               with_nodal_normals)
-    {
-      using G       = GeneralizedCoordinates<dim>;
-      const auto &N = pair.table.displacement[point.quadrature_index].value;
-      const auto &L = pair.table.multiplier[point.quadrature_index];
-      std::vector<Column> columns;
-      for (unsigned int j = 0; j < N.size(); ++j)
-        for (unsigned int c = 0; c < dim; ++c)
-          if constexpr (dim == 3)
-            columns.push_back(
-              {{G::W + c, N[j]}, {G::E + c, point.direction_gradients[j]}});
-          else
-            columns.push_back({{G::W + c, N[j]}});
-      if (point.frame.paired)
-        {
-          const SurfaceFace<dim> &face = pair.patch->face(point.frame.face);
-          const unsigned int      first_master = columns.size();
-          columns.resize(first_master + face.n_stencil_nodes() * dim);
-          for (unsigned int j = 0; j < face.n_nodes; ++j)
-            for (unsigned int c = 0; c < dim; ++c)
-              {
-                Column &column = columns[first_master + j * dim + c];
-                column.emplace_back(G::W + c, -master.shape.value[j]);
-                for (unsigned int d = 0; d < dim - 1; ++d)
-                  column.emplace_back(G::C + d * dim + c,
-                                      master.shape.gradient[j][d]);
-              }
-          std::vector<Tensor<2, dim>> D_n_j;
-          if (with_nodal_normals)
-            for (unsigned int j = 0; j < face.n_nodes; ++j)
-              {
-                nodal_normal_derivatives(
-                  face, pair.patch->configuration(point.frame.face), j, D_n_j);
-                for (unsigned int k = 0; k < D_n_j.size(); ++k)
-                  for (unsigned int c = 0; c < dim; ++c)
-                    for (unsigned int i = 0; i < dim; ++i)
-                      if (D_n_j[k][i][c] != 0.)
-                        columns[first_master + k * dim + c].emplace_back(
-                          G::M + i, master.shape.value[j] * D_n_j[k][i][c]);
-              }
-        }
-      const unsigned int n_comp = pair.n_multiplier_components();
-      for (unsigned int l = 0; l < L.size(); ++l)
-        {
-          columns.push_back({{G::lambda, L[l]}});
-          for (unsigned int b = 0; b + 1 < n_comp; ++b)
-            {
-              Column column;
-              for (unsigned int a = 0; a < dim - 1; ++a)
-                column.emplace_back(G::Lambda + a,
-                                    L[l] * point.nodal_rotations[l][a][b]);
-              columns.push_back(column);
-            }
-        }
-      return columns;
-    }
-  } // namespace
-
-
-
   template <int dim>
   ContactAssembler<dim>::ContactAssembler(
     std::vector<std::unique_ptr<ContactPair<dim>>> contact_pairs,
@@ -153,23 +81,35 @@ namespace stickslip
 
 
   template <int dim>
+  ContactElement<dim>
+  ContactAssembler<dim>::element_of(const ContactPair<dim>  &pair,
+                                    const ContactPoint<dim> &point) const
+  {
+    const unsigned int  q = point.quadrature_index;
+    ContactElement<dim> element{point,
+                                pair.table.displacement[q].value,
+                                pair.table.multiplier[q],
+                                pair.n_multiplier_components()};
+    if (point.frame.paired)
+      {
+        element.master = &pair.patch->face(point.frame.face);
+        element.master_configuration =
+          &pair.patch->configuration(point.frame.face);
+      }
+    return element;
+  }
+
+
+
+  template <int dim>
   Multipliers<dim>
   ContactAssembler<dim>::multipliers_at(const ContactPair<dim>  &pair,
                                         const ContactPoint<dim> &point) const
   {
-    const auto &L    = pair.table.multiplier[point.quadrature_index];
-    const auto &dofs = pair.slave_faces[point.slave_face].multiplier_dofs;
-    const unsigned int n_comp = pair.n_multiplier_components();
-    Multipliers<dim>   values;
-    for (unsigned int l = 0; l < L.size(); ++l)
-      {
-        values.lambda_n += L[l] * lambda(dofs[l * n_comp]);
-        for (unsigned int b = 0; b + 1 < n_comp; ++b)
-          for (unsigned int a = 0; a < dim - 1; ++a)
-            values.Lambda[a] += L[l] * point.nodal_rotations[l][a][b] *
-                                lambda(dofs[l * n_comp + 1 + b]);
-      }
-    return values;
+    std::vector<double> nodal_values;
+    for (const auto dof : pair.slave_faces[point.slave_face].multiplier_dofs)
+      nodal_values.push_back(lambda(dof));
+    return interpolate_multipliers(element_of(pair, point), nodal_values);
   }
 
 
@@ -286,8 +226,22 @@ namespace stickslip
   {
     for (const auto &pair : pairs)
       for (auto &point : pair->points)
-        if (evaluate(*pair, point).status.closed)
-          point.accumulated_slip += scratch.kinematics.d_t;
+        {
+          point.accepted_frame = point.frame;
+          if (evaluate(*pair, point).status.closed)
+            point.accumulated_slip += scratch.kinematics.d_t;
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  ContactAssembler<dim>::restore()
+  {
+    for (const auto &pair : pairs)
+      for (auto &point : pair->points)
+        point.frame = point.accepted_frame;
   }
 
 
@@ -372,106 +326,6 @@ namespace stickslip
 
   template <int dim>
   void
-  ContactAssembler<dim>::local_residual(const ContactPair<dim>  &pair,
-                                        const ContactPoint<dim> &point,
-                                        Vector<double>          &local) const
-  {
-    const auto &N = pair.table.displacement[point.quadrature_index].value;
-    const auto &L = pair.table.multiplier[point.quadrature_index];
-    const auto &response = scratch.response;
-    local                = 0.;
-    for (unsigned int j = 0; j < N.size(); ++j)
-      for (unsigned int c = 0; c < dim; ++c)
-        local[j * dim + c] = point.weight * N[j] * response.traction[c];
-    unsigned int first = N.size() * dim;
-    if (point.frame.paired)
-      {
-        const SurfaceFace<dim> &face = pair.patch->face(point.frame.face);
-        for (unsigned int j = 0; j < face.n_nodes; ++j)
-          for (unsigned int c = 0; c < dim; ++c)
-            local[first + j * dim + c] = -point.weight *
-                                         scratch.master.shape.value[j] *
-                                         response.traction[c];
-        first += face.n_stencil_nodes() * dim;
-      }
-    const unsigned int n_comp = pair.n_multiplier_components();
-    for (unsigned int l = 0; l < L.size(); ++l)
-      {
-        local[first + l * n_comp] = point.weight * L[l] * response.row_lambda;
-        for (unsigned int b = 0; b + 1 < n_comp; ++b)
-          for (unsigned int a = 0; a < dim - 1; ++a)
-            local[first + l * n_comp + 1 + b] +=
-              point.weight * L[l] * point.nodal_rotations[l][a][b] *
-              response.row_Lambda[a];
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  ContactAssembler<dim>::local_tangent(const ContactPair<dim>  &pair,
-                                       const ContactPoint<dim> &point,
-                                       FullMatrix<double>      &local) const
-  {
-    const auto &N = pair.table.displacement[point.quadrature_index].value;
-    const auto &L = pair.table.multiplier[point.quadrature_index];
-    const auto &response      = scratch.response;
-    const unsigned int n_comp = pair.n_multiplier_components();
-    const auto         columns =
-      make_columns(pair,
-                   point,
-                   scratch.master,
-                   live.geometry && pair.parameters.normals == "smoothed");
-    for (unsigned int k = 0; k < columns.size(); ++k)
-      {
-        Tensor<1, dim>     D_t;
-        Tensor<1, dim - 1> D_xi, D_row_Lambda;
-        double             D_row_lambda = 0.;
-        for (const auto &[g, coefficient] : columns[k])
-          {
-            for (unsigned int i = 0; i < dim; ++i)
-              D_t[i] += coefficient * response.D_traction[i][g];
-            D_row_lambda += coefficient * response.D_row_lambda[g];
-            for (unsigned int d = 0; d < dim - 1; ++d)
-              {
-                D_xi[d] += coefficient * scratch.kinematics.D_xi[d][g];
-                D_row_Lambda[d] += coefficient * response.D_row_Lambda[d][g];
-              }
-          }
-        for (unsigned int j = 0; j < N.size(); ++j)
-          for (unsigned int c = 0; c < dim; ++c)
-            local(j * dim + c, k) = point.weight * N[j] * D_t[c];
-        unsigned int first = N.size() * dim;
-        if (point.frame.paired)
-          {
-            // -M_j D t, and t . D(dw) = -t . M_j,alpha D xi^alpha
-            const SurfaceFace<dim> &face = pair.patch->face(point.frame.face);
-            const auto             &master_shape = scratch.master.shape;
-            for (unsigned int j = 0; j < face.n_nodes; ++j)
-              for (unsigned int c = 0; c < dim; ++c)
-                local(first + j * dim + c, k) =
-                  -point.weight *
-                  (master_shape.value[j] * D_t[c] +
-                   response.traction[c] * (master_shape.gradient[j] * D_xi));
-            first += face.n_stencil_nodes() * dim;
-          }
-        for (unsigned int l = 0; l < L.size(); ++l)
-          {
-            local(first + l * n_comp, k) = point.weight * L[l] * D_row_lambda;
-            for (unsigned int b = 0; b + 1 < n_comp; ++b)
-              for (unsigned int a = 0; a < dim - 1; ++a)
-                local(first + l * n_comp + 1 + b, k) +=
-                  point.weight * L[l] * point.nodal_rotations[l][a][b] *
-                  D_row_Lambda[a];
-          }
-      }
-  }
-
-
-
-  template <int dim>
-  void
   ContactAssembler<dim>::add_residual(const Constraints &geometric,
                                       LA::BlockVector   &residual,
                                       LA::Vector        &row_scale)
@@ -483,7 +337,7 @@ namespace stickslip
           evaluate_point(*pair, point, false, false);
           const auto dofs = point_dofs(*pair, point);
           local.reinit(dofs.size());
-          local_residual(*pair, point, local);
+          local_residual(element_of(*pair, point), scratch, local);
           geometric.distribute_local_to_global(local, dofs, residual);
 
           const SlaveFace<dim> &slave = pair->slave_faces[point.slave_face];
@@ -520,9 +374,13 @@ namespace stickslip
           const auto dofs = point_dofs(*pair, point);
           local.reinit(dofs.size());
           local_matrix.reinit(dofs.size(), dofs.size());
-          local_residual(*pair, point, local);
+          const ContactElement<dim> element = element_of(*pair, point);
+          local_residual(element, scratch, local);
           local *= -1.;
-          local_tangent(*pair, point, local_matrix);
+          local_tangent(element,
+                        scratch,
+                        live.geometry && pair->parameters.normals == "smoothed",
+                        local_matrix);
           constraints.distribute_local_to_global(
             local_matrix, local, dofs, matrix, rhs);
         }

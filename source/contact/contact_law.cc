@@ -24,6 +24,9 @@ namespace stickslip
       if (stick)
         return {g, I};
       const double length = g.norm();
+      // by coincidence without a direction: no friction, and no division by 0
+      if (length == 0.)
+        return {g, Tensor<2, dim>()};
       return {g / length,
               (I - outer_product(g, g) / (length * length)) / length};
     }

@@ -1,15 +1,13 @@
 #include <stickslip/base/user_error.h>
 
 #include <stickslip/contact/contact_pair.h>
+#include <stickslip/contact/contact_points.h>
 #include <stickslip/contact/contact_quadrature.h>
+#include <stickslip/contact/excluded_nodes.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/utilities.h>
-
-#include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
-#include <map>
 
 namespace stickslip
 {
@@ -23,59 +21,6 @@ namespace stickslip
 
 
 
-    /// "x,y; x,y" -> points. Throws UserError.
-    template <int dim>
-    std::vector<Point<dim>>
-    parse_points(const std::string &text, const std::string &path)
-    {
-      std::vector<Point<dim>> points;
-      for (const std::string &item : Utilities::split_string_list(text, ';'))
-        {
-          const auto numbers = Utilities::split_string_list(item, ',');
-          try
-            {
-              AssertThrow(numbers.size() == dim, ExcInternalError());
-              Point<dim> point;
-              for (unsigned int c = 0; c < dim; ++c)
-                point[c] = Utilities::string_to_double(numbers[c]);
-              points.push_back(point);
-            }
-          catch (const std::exception &)
-            {
-              throw UserError("'" + path + "' has '" + item + "': expected " +
-                              std::to_string(dim) +
-                              " numbers separated by commas, points separated "
-                              "by semicolons.");
-            }
-        }
-      return points;
-    }
-
-
-
-    /// Turns @p v, orthogonal to the unit vector a, so that it is orthogonal to
-    /// the unit vector b, by the smallest rotation.
-    template <int dim>
-    Tensor<1, dim>
-    turn(const Tensor<1, dim> &v,
-         const Tensor<1, dim> &a,
-         const Tensor<1, dim> &b)
-    {
-      return v - (b * v) / (1. + a * b) * (a + b);
-    }
-
-
-
-    /// A tangent of the plane normal to n, chosen by a rule that does not
-    /// depend on facets or ranks.
-    Tensor<1, 3>
-    reference_tangent(const Tensor<1, 3> &n)
-    {
-      Tensor<1, 3> axis;
-      axis[std::abs(n[0]) < 0.6 ? 0 : 1] = 1.;
-      const Tensor<1, 3> t               = axis - (axis * n) * n;
-      return t / t.norm();
-    }
   } // namespace
 
 
@@ -140,12 +85,27 @@ namespace stickslip
                                                parameters.facet_overlap,
                                                communicator);
 
-    exclude_nodes(excluded_boundary, mapping, dof_handler);
-    make_points(contact_quadrature<dim - 1>(parameters.quadrature,
-                                            parameters.quadrature_order,
-                                            multiplier_shape.degree(),
-                                            path_of(name)),
-                slaves);
+    excluded = excluded_slave_nodes(slave_faces,
+                                    excluded_boundary,
+                                    parameters.excluded_points,
+                                    path_of(name) + "/Excluded points",
+                                    mapping,
+                                    dof_handler,
+                                    communicator);
+    const Quadrature<dim - 1> quadrature =
+      contact_quadrature<dim - 1>(parameters.quadrature,
+                                  parameters.quadrature_order,
+                                  multiplier_shape.degree(),
+                                  path_of(name));
+    table =
+      SlaveShapeTable<dim>(displacement_shape, multiplier_shape, quadrature);
+    points = make_contact_points(quadrature,
+                                 displacement_shape,
+                                 multiplier_shape,
+                                 table,
+                                 slave_faces,
+                                 slaves,
+                                 excluded);
     positions.resize(slave_faces.size());
     old_positions.resize(slave_faces.size());
   }
@@ -166,12 +126,11 @@ namespace stickslip
   ContactPair<dim>::multiplier_keys() const
   {
     std::vector<types::global_dof_index> keys;
-    const unsigned int                   n      = displacement_shape.degree();
-    const unsigned int                   stride = n / multiplier_shape.degree();
     for (const auto &slave : slave_faces)
-      for (unsigned int j = 0; j < slave.face.n_nodes; ++j)
-        if ((j % (n + 1)) % stride == 0 && (j / (n + 1)) % stride == 0)
-          keys.push_back(slave.face.dofs[j * dim]);
+      for (unsigned int l = 0; l < multiplier_shape.n_nodes(); ++l)
+        keys.push_back(
+          slave.face.dofs[dim * displacement_node(
+                                  displacement_shape, multiplier_shape, l)]);
     return keys;
   }
 
@@ -192,181 +151,6 @@ namespace stickslip
           for (unsigned int c = 0; c < n_comp; ++c)
             slave_faces[f].multiplier_dofs.push_back(first + c);
         }
-  }
-
-
-
-  template <int dim>
-  void
-  ContactPair<dim>::exclude_nodes(const std::set<types::boundary_id> &boundary,
-                                  const Mapping<dim>                 &mapping,
-                                  const DoFHandler<dim> &dof_handler)
-  {
-    const auto no_modulus = [](const types::material_id) { return 1.; };
-    for (const auto &entry :
-         collect_faces<dim>(mapping, dof_handler, boundary, no_modulus, true))
-      for (unsigned int j = 0; j < entry.face.n_nodes; ++j)
-        excluded.insert(entry.face.dofs[j * dim]);
-
-    const auto points = parse_points<dim>(parameters.excluded_points,
-                                          path_of(name) + "/Excluded points");
-    for (const Point<dim> &point : points)
-      {
-        unsigned int found = 0;
-        for (const auto &slave : slave_faces)
-          for (unsigned int j = 0; j < slave.face.n_nodes; ++j)
-            if (slave.face.reference_positions[j].distance(point) <
-                1e-6 * slave.face.diameter)
-              {
-                excluded.insert(slave.face.dofs[j * dim]);
-                ++found;
-              }
-        if (Utilities::MPI::sum(found, communicator) == 0)
-          throw UserError("'" + path_of(name) +
-                          "/Excluded points': no slave node lies at one of the "
-                          "points '" +
-                          parameters.excluded_points + "'.");
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  ContactPair<dim>::make_points(const Quadrature<dim - 1> &quadrature,
-                                const std::vector<CollectedFace<dim>> &faces)
-  {
-    table.displacement.resize(quadrature.size());
-    table.multiplier.resize(quadrature.size());
-    for (unsigned int q = 0; q < quadrature.size(); ++q)
-      {
-        displacement_shape.evaluate(quadrature.point(q), table.displacement[q]);
-        multiplier_shape.evaluate_values(quadrature.point(q),
-                                         table.multiplier[q]);
-      }
-
-    // averaged reference normals of the slave nodes: they carry the frames of
-    // the nodal Lambda, so all ranks must agree on them
-    std::map<types::global_dof_index, Tensor<1, dim>> nodal_normals;
-    FaceShapeValues<dim>                              at_node;
-    std::vector<Tensor<1, dim>>                       nodes;
-    for (const auto &entry : faces)
-      for (unsigned int j = 0; j < entry.face.n_nodes; ++j)
-        {
-          displacement_shape.evaluate(displacement_shape.node(j), at_node);
-          std::array<Tensor<1, dim>, dim - 1> a;
-          for (unsigned int l = 0; l < entry.face.n_nodes; ++l)
-            for (unsigned int d = 0; d < dim - 1; ++d)
-              a[d] += at_node.gradient[l][d] *
-                      Tensor<1, dim>(entry.face.reference_positions[l]);
-          const Tensor<1, dim> v =
-            -entry.face.orientation * surface_normal<dim>(a);
-          nodal_normals[entry.face.dofs[j * dim]] += v / v.norm();
-        }
-    for (auto &[key, normal] : nodal_normals)
-      normal /= normal.norm();
-
-    const auto keys = multiplier_keys();
-    for (unsigned int f = 0; f < slave_faces.size(); ++f)
-      for (unsigned int q = 0; q < quadrature.size(); ++q)
-        {
-          bool carries_multiplier = false;
-          for (unsigned int l = 0; l < multiplier_shape.n_nodes(); ++l)
-            carries_multiplier =
-              carries_multiplier ||
-              (std::abs(table.multiplier[q][l]) > 1e-12 &&
-               excluded.count(keys[f * multiplier_shape.n_nodes() + l]) == 0);
-          if (!carries_multiplier)
-            continue;
-          ContactPoint<dim> point;
-          point.slave_face       = f;
-          point.quadrature_index = q;
-          const auto &shape      = table.displacement[q];
-          nodes.clear();
-          for (unsigned int j = 0; j < slave_faces[f].face.n_nodes; ++j)
-            nodes.emplace_back(slave_faces[f].face.reference_positions[j]);
-          for (unsigned int j = 0; j < nodes.size(); ++j)
-            point.reference_position += shape.value[j] * nodes[j];
-          point.weight = quadrature.weight(q) *
-                         surface_normal<dim>(slave_tangents(nodes, q)).norm();
-          set_reference_frames(point, nodal_normals);
-          points.push_back(point);
-        }
-  }
-
-
-
-  template <int dim>
-  void
-  ContactPair<dim>::set_reference_frames(
-    ContactPoint<dim>                                       &point,
-    const std::map<types::global_dof_index, Tensor<1, dim>> &nodal_normals)
-  {
-    const unsigned int      n_multipliers = multiplier_shape.n_nodes();
-    const SurfaceFace<dim> &face          = slave_faces[point.slave_face].face;
-    point.direction_gradients.assign(face.n_nodes, 0.);
-    Tensor<2, dim - 1> identity;
-    for (unsigned int d = 0; d < dim - 1; ++d)
-      identity[d][d] = 1.;
-    point.nodal_rotations.assign(n_multipliers, identity);
-    if constexpr (dim == 3)
-      {
-        std::vector<Tensor<1, dim>> nodes;
-        for (unsigned int j = 0; j < face.n_nodes; ++j)
-          nodes.emplace_back(face.reference_positions[j]);
-        const auto   A = slave_tangents(nodes, point.quadrature_index);
-        Tensor<1, 3> N = -face.orientation * surface_normal<dim>(A);
-        N /= N.norm();
-        const Tensor<1, 3> e_1 = reference_tangent(N);
-        const Tensor<1, 3> e_2 = cross_product_3d(N, e_1);
-
-        // e_1 = c^alpha A_alpha, so d/de_1 = c^alpha d/dxi_alpha
-        Tensor<2, 2> metric;
-        for (unsigned int d = 0; d < 2; ++d)
-          for (unsigned int e = 0; e < 2; ++e)
-            metric[d][e] = A[d] * A[e];
-        const Tensor<1, 2> c =
-          invert(metric) * Tensor<1, 2>({A[0] * e_1, A[1] * e_1});
-        const auto &gradient =
-          table.displacement[point.quadrature_index].gradient;
-        for (unsigned int j = 0; j < face.n_nodes; ++j)
-          point.direction_gradients[j] = c * gradient[j];
-
-        const unsigned int n      = displacement_shape.degree() + 1;
-        const unsigned int stride = (n - 1) / multiplier_shape.degree();
-        const unsigned int m      = multiplier_shape.degree() + 1;
-        for (unsigned int l = 0; l < n_multipliers; ++l)
-          {
-            const unsigned int j   = (l % m) * stride + (l / m) * stride * n;
-            const Tensor<1, 3> N_l = nodal_normals.at(face.dofs[j * dim]);
-            const Tensor<1, 3> T_1 = reference_tangent(N_l);
-            const Tensor<1, 3> T_2 = cross_product_3d(N_l, T_1);
-            const Tensor<1, 3> t_1 = turn(T_1, N_l, N);
-            const Tensor<1, 3> t_2 = turn(T_2, N_l, N);
-            point.nodal_rotations[l][0][0] = e_1 * t_1;
-            point.nodal_rotations[l][0][1] = e_1 * t_2;
-            point.nodal_rotations[l][1][0] = e_2 * t_1;
-            point.nodal_rotations[l][1][1] = e_2 * t_2;
-          }
-      }
-    else
-      (void)nodal_normals;
-  }
-
-
-
-  template <int dim>
-  std::array<Tensor<1, dim>, dim - 1>
-  ContactPair<dim>::slave_tangents(
-    const std::vector<Tensor<1, dim>> &node_positions,
-    const unsigned int                 quadrature_index) const
-  {
-    std::array<Tensor<1, dim>, dim - 1> a;
-    const auto &gradient = table.displacement[quadrature_index].gradient;
-    for (unsigned int j = 0; j < node_positions.size(); ++j)
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        a[d] += gradient[j][d] * node_positions[j];
-    return a;
   }
 
 
@@ -407,7 +191,10 @@ namespace stickslip
       }
     patch->fetch(boxes, u, margin);
     for (auto &point : points)
-      patch->relocate(point.frame);
+      {
+        patch->relocate(point.frame);
+        patch->relocate(point.accepted_frame);
+      }
     positions_at_fetch        = slave_now;
     master_positions_at_fetch = master_now;
     return true;
@@ -442,7 +229,8 @@ namespace stickslip
     const auto    &nodes = positions[point.slave_face];
     Tensor<1, dim> outward =
       -slave_faces[point.slave_face].face.orientation *
-      surface_normal<dim>(slave_tangents(nodes, point.quadrature_index));
+      surface_normal<dim>(surface_tangents<dim>(
+        table.displacement[point.quadrature_index].gradient, nodes));
     outward /= outward.norm();
     const SlavePosition<dim> slave = slave_position(point);
     ContactFrame<dim>        frame = patch->find(slave.x, outward, point.frame);
@@ -480,10 +268,11 @@ namespace stickslip
     const auto &reference =
       slave_faces[point.slave_face].face.reference_positions;
     std::vector<Tensor<1, dim>> nodes(reference.begin(), reference.end());
-    const unsigned int          q = point.quadrature_index;
-    return surface_normal<dim>(slave_tangents(positions[point.slave_face], q))
+    const auto &gradient = table.displacement[point.quadrature_index].gradient;
+    return surface_normal<dim>(
+             surface_tangents<dim>(gradient, positions[point.slave_face]))
              .norm() /
-           surface_normal<dim>(slave_tangents(nodes, q)).norm();
+           surface_normal<dim>(surface_tangents<dim>(gradient, nodes)).norm();
   }
 
   template class ContactPair<2>;

@@ -4,17 +4,22 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <cmath>
+#include <limits>
+
 namespace stickslip
 {
   namespace
   {
-    void
-    check_factor(const std::string &text,
-                 const std::string &keyword,
-                 const std::string &path)
+    /// The number that @p text is; NaN for a word among @p allowed words.
+    double
+    number_or_word(const std::string              &text,
+                   const std::vector<std::string> &allowed,
+                   const std::string              &path)
     {
-      if (text == keyword || text == "automatic")
-        return;
+      for (const std::string &word : allowed)
+        if (text == word)
+          return std::numeric_limits<double>::quiet_NaN();
       double value = 0.;
       try
         {
@@ -23,13 +28,16 @@ namespace stickslip
       catch (...)
         {
           throw UserError("'" + path + " = " + text +
-                          "': expected a number, 'automatic' or '" + keyword +
-                          "'.");
+                          "': expected a number or '" + allowed[0] + "'.");
         }
       if (!(value > 0.))
         throw UserError("'" + path + " = " + text +
                         "': must be larger than 0.");
+      return value;
     }
+
+
+
   } // namespace
 
 
@@ -47,28 +55,31 @@ namespace stickslip
       "k/(mu p), with p the pressure there. plain: r_n is a number in "
       "stress/length and r_t in 1/length.",
       Patterns::Selection("automatic|plain"));
-    prm.add_parameter("r_n",
-                      r_n,
-                      "Normal regularization parameter of all three roles "
-                      "(status, augmentation, law) that do not name their own.",
-                      Patterns::Double(1e-300));
-    prm.add_parameter("r_t",
-                      r_t,
-                      "Tangential regularization parameter of all three roles "
-                      "that do not name their own.",
-                      Patterns::Double(1e-300));
+    prm.add_parameter(
+      "r_n",
+      r_n,
+      "Normal regularization parameter of the three roles (status, "
+      "augmentation, "
+      "law) that have no number of their own: a number, or with 'Scale = "
+      "automatic' also automatic, which is 1 where the contact points are the "
+      "multiplier nodes (the answer does not depend on it there) and 0.01 for "
+      "rules with more points than multipliers (the answer drifts with it).");
+    prm.add_parameter(
+      "r_t",
+      r_t,
+      "Tangential regularization parameter of the three roles that have no "
+      "number of their own: a number, or with 'Scale = automatic' also "
+      "automatic, which is 0.25.");
     prm.add_parameter("r_n status",
                       r_n_status,
                       "r_n in the contact status S_c(lambda_n - r_n d_n): a "
                       "number or r_n.");
-    prm.add_parameter(
-      "r_n augmentation",
-      r_n_augmentation,
-      "r_n in the contact force lambda_n - r_n d_n: a number, r_n, or "
-      "automatic "
-      "(r_n where the contact points are the multiplier nodes, so that the "
-      "answer does not depend on it; 1e-4 r_n for quadrature with more points "
-      "than multipliers, where the answer drifts with it).");
+    prm.add_parameter("r_n augmentation",
+                      r_n_augmentation,
+                      "r_n in the contact force lambda_n - r_n d_n: a number "
+                      "or r_n. With a value other than that of the status the "
+                      "force jumps where the status changes; only for nodal "
+                      "quadrature is that harmless.");
     prm.add_parameter("r_n law",
                       r_n_law,
                       "r_n in the weak Signorini condition (scales its rows "
@@ -79,8 +90,8 @@ namespace stickslip
                       "or r_t. Must not exceed twice 'r_t law'.");
     prm.add_parameter("r_t augmentation",
                       r_t_augmentation,
-                      "r_t in the friction force Lambda + r_t d_t: a number, "
-                      "r_t, or automatic (as for r_n augmentation).");
+                      "r_t in the friction force Lambda + r_t d_t: a number or "
+                      "r_t.");
     prm.add_parameter("r_t law",
                       r_t_law,
                       "r_t in the weak Coulomb condition: a number or r_t.");
@@ -91,23 +102,31 @@ namespace stickslip
   void
   RegularizationParameters::check(const std::string &path) const
   {
-    check_factor(r_n_status, "r_n", path + "/r_n status");
-    check_factor(r_n_augmentation, "r_n", path + "/r_n augmentation");
-    check_factor(r_n_law, "r_n", path + "/r_n law");
-    check_factor(r_t_status, "r_t", path + "/r_t status");
-    check_factor(r_t_augmentation, "r_t", path + "/r_t augmentation");
-    check_factor(r_t_law, "r_t", path + "/r_t law");
-    const auto number = [&](const std::string &text) {
-      return text == "r_t" || text == "automatic"
-               ? r_t
-               : Utilities::string_to_double(text);
+    const std::vector<std::string> automatic = {"automatic"};
+    if (scale == "plain" && (r_n == "automatic" || r_t == "automatic"))
+      throw UserError("'" + path +
+                      "': with 'Scale = plain' both 'r_n' and 'r_t' must be "
+                      "numbers.");
+    number_or_word(r_n, automatic, path + "/r_n");
+    number_or_word(r_n_status, {"r_n"}, path + "/r_n status");
+    number_or_word(r_n_augmentation, {"r_n"}, path + "/r_n augmentation");
+    number_or_word(r_n_law, {"r_n"}, path + "/r_n law");
+    const double common     = r_t == "automatic"
+                                ? automatic_r_t
+                                : number_or_word(r_t, automatic, path + "/r_t");
+    const auto   tangential = [&](const std::string &text,
+                                const std::string &name) {
+      const double value = number_or_word(text, {"r_t"}, path + "/" + name);
+      return std::isnan(value) ? common : value;
     };
-    if (number(r_t_status) > 2. * number(r_t_law))
-      throw UserError(
-        "'" + path + "/r_t status' = " + std::to_string(number(r_t_status)) +
-        " is more than twice 'r_t law' = " + std::to_string(number(r_t_law)) +
-        ": points that slip against their traction would then "
-        "satisfy the discrete equations. Lower it.");
+    const double status = tangential(r_t_status, "r_t status");
+    const double law    = tangential(r_t_law, "r_t law");
+    tangential(r_t_augmentation, "r_t augmentation");
+    if (status > 2. * law)
+      throw UserError("'" + path + "/r_t status' = " + std::to_string(status) +
+                      " is more than twice 'r_t law' = " + std::to_string(law) +
+                      ": points that slip against their traction would then "
+                      "satisfy the discrete equations. Lower it.");
   }
 
 
@@ -121,11 +140,13 @@ namespace stickslip
                       "multipliers. Prefer the softer or finer one.");
     prm.add_parameter("Slave boundary",
                       slave_boundary,
-                      "Boundary ids of the slave body.");
+                      "Boundary ids of the slave body.",
+                      Patterns::List(Patterns::Integer(0)));
     prm.add_parameter("Master body", master_body, "Body that is projected on.");
     prm.add_parameter("Master boundary",
                       master_boundary,
-                      "Boundary ids of the master body.");
+                      "Boundary ids of the master body.",
+                      Patterns::List(Patterns::Integer(0)));
     prm.add_parameter("Friction",
                       friction,
                       "none, Coulomb (threshold mu times the pressure) or "
@@ -199,7 +220,8 @@ namespace stickslip
     prm.add_parameter("Excluded boundaries",
                       excluded_boundaries,
                       "Nodes on these boundary ids of the slave body carry no "
-                      "contact.");
+                      "contact.",
+                      Patterns::List(Patterns::Integer(0)));
     prm.add_parameter("Excluded points",
                       excluded_points,
                       "Nodes at these reference positions carry no contact: "

@@ -173,10 +173,14 @@ namespace stickslip
         const auto extremes = Utilities::MPI::min_max_avg(worst, communicator);
         const auto wheres   = Utilities::MPI::all_gather(communicator, where);
         text << "  pair '" << pair->name << "': " << counts[1]
-             << " points open, " << counts[2] << " stick, " << counts[3]
-             << " slip, " << counts[0] << " unpaired; largest gap error "
-             << extremes.max << " at reference position ("
-             << wheres[extremes.max_index] << ")\n";
+             << " points open, ";
+        if (pair->parameters.has_friction())
+          text << counts[2] << " stick, " << counts[3] << " slip, ";
+        else
+          text << counts[2] + counts[3] << " closed, ";
+        text << counts[0] << " unpaired; largest gap error " << extremes.max
+             << " at reference position (" << wheres[extremes.max_index]
+             << ")\n";
       }
     return text.str();
   }

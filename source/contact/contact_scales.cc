@@ -15,17 +15,27 @@ namespace stickslip
 
 
 
-    /// A role's own number, or @p common times what `automatic` stands for.
+    /// Size of the open Lambda rows beside the closed ones: so small that the
+    /// sum over the points of a node hardly jumps when one of them opens.
+    constexpr double open_row_factor = 1e-6;
+
+
+
+    /// A role's own number, or the common one.
     double
-    role_value(const std::string &text,
-               const double       common,
-               const double       automatic_factor)
+    role_value(const std::string &text, const double common)
     {
-      if (text == "automatic")
-        return automatic_factor * common;
-      if (text == "r_n" || text == "r_t")
-        return common;
-      return Utilities::string_to_double(text);
+      return text == "r_n" || text == "r_t" ? common
+                                            : Utilities::string_to_double(text);
+    }
+
+
+
+    double
+    common_value(const std::string &text, const double automatic)
+    {
+      return text == "automatic" ? automatic
+                                 : Utilities::string_to_double(text);
     }
 
 
@@ -54,9 +64,9 @@ namespace stickslip
         const ContactPairParameters    &parameters = pair->parameters;
         const RegularizationParameters &given      = parameters.regularization;
         const bool                      automatic  = given.scale == "automatic";
-        const bool                      points_are_multiplier_nodes =
-          parameters.quadrature == "nodal";
-        const double augmentation = points_are_multiplier_nodes ? 1. : 1e-4;
+        const double                    r_n =
+          common_value(given.r_n, parameters.quadrature == "nodal" ? 1. : 0.01);
+        const double r_t = common_value(given.r_t, automatic_r_t);
 
         std::vector<double> thresholds;
         double              largest = 0.;
@@ -85,17 +95,15 @@ namespace stickslip
             const double unit_t = automatic ? k / s : 1.;
 
             Regularization &r = point.regularization;
-            r.r_n_status = unit_n * role_value(given.r_n_status, given.r_n, 1.);
+            r.r_n_status      = unit_n * role_value(given.r_n_status, r_n);
             r.r_n_augmentation =
-              unit_n *
-              role_value(given.r_n_augmentation, given.r_n, augmentation);
-            r.r_n_law    = unit_n * role_value(given.r_n_law, given.r_n, 1.);
-            r.r_t_status = unit_t * role_value(given.r_t_status, given.r_t, 1.);
+              unit_n * role_value(given.r_n_augmentation, r_n);
+            r.r_n_law    = unit_n * role_value(given.r_n_law, r_n);
+            r.r_t_status = unit_t * role_value(given.r_t_status, r_t);
             r.r_t_augmentation =
-              unit_t *
-              role_value(given.r_t_augmentation, given.r_t, augmentation);
-            r.r_t_law    = unit_t * role_value(given.r_t_law, given.r_t, 1.);
-            r.open_scale = s / r.r_t_law;
+              unit_t * role_value(given.r_t_augmentation, r_t);
+            r.r_t_law    = unit_t * role_value(given.r_t_law, r_t);
+            r.open_scale = open_row_factor * s / r.r_t_law;
           }
       }
   }

@@ -1,10 +1,10 @@
+#include <stickslip/base/parsed_expression.h>
 #include <stickslip/base/user_error.h>
 #include <stickslip/mesh/body_mesh.h>
 #include <stickslip/mesh/condition_list.h>
 #include <stickslip/mesh/mesh_checks.h>
 #include <stickslip/mesh/mesh_generator.h>
 #include <stickslip/mesh/mesh_reader.h>
-#include <stickslip/mesh/parsed_expression.h>
 #include <stickslip/mesh/transformed_manifold.h>
 
 #include <deal.II/base/utilities.h>

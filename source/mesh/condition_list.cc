@@ -1,6 +1,6 @@
+#include <stickslip/base/parsed_expression.h>
 #include <stickslip/base/user_error.h>
 #include <stickslip/mesh/condition_list.h>
-#include <stickslip/mesh/parsed_expression.h>
 
 #include <deal.II/base/types.h>
 #include <deal.II/base/utilities.h>

@@ -1,3 +1,4 @@
+#include <stickslip/base/short_message.h>
 #include <stickslip/base/user_error.h>
 #include <stickslip/mesh/body_mesh.h>
 #include <stickslip/mesh/joined_mesh.h>

@@ -103,30 +103,6 @@ namespace stickslip
 
 
 
-  std::string
-  short_message(const std::exception &exception)
-  {
-    std::string text = exception.what();
-    if (const auto *deal_exception =
-          dynamic_cast<const ExceptionBase *>(&exception))
-      {
-        std::ostringstream info;
-        deal_exception->print_info(info);
-        text = info.str();
-        // Many of deal.II's checks have no message but their condition.
-        if (text.find_first_not_of(" \n(none)") == std::string::npos)
-          text = std::string("deal.II: ") + deal_exception->get_exc_name();
-      }
-
-    std::string        message, word;
-    std::istringstream words(text);
-    while (words >> word)
-      message += (message.empty() ? "" : " ") + word;
-    return message;
-  }
-
-
-
   template void
   check_cell_types(const Triangulation<2> &, const std::string &);
   template void

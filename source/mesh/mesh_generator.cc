@@ -1,4 +1,5 @@
 #include <stickslip/base/nearest_name.h>
+#include <stickslip/base/short_message.h>
 #include <stickslip/base/user_error.h>
 #include <stickslip/mesh/mesh_checks.h>
 #include <stickslip/mesh/mesh_generator.h>

@@ -1,3 +1,4 @@
+#include <stickslip/base/short_message.h>
 #include <stickslip/base/user_error.h>
 #include <stickslip/mesh/mesh_checks.h>
 #include <stickslip/mesh/mesh_file_checks.h>

@@ -1,34 +1,274 @@
 #include <stickslip/base/user_error.h>
 
+#include <stickslip/output/output_directory.h>
+
+#include <stickslip/simulation/cell_records.h>
+#include <stickslip/simulation/cell_state.h>
 #include <stickslip/simulation/checkpoint.h>
+#include <stickslip/simulation/checkpoint_directory.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <random>
+#include <sstream>
 
 namespace stickslip
 {
+  namespace
+  {
+    /// Makes all ranks throw if one has an @p error.
+    void
+    throw_if_any_rank_failed(const std::string &error,
+                             const MPI_Comm    &communicator)
+    {
+      const unsigned int n_ranks =
+        Utilities::MPI::n_mpi_processes(communicator);
+      const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
+      const unsigned int first =
+        Utilities::MPI::min(error.empty() ? n_ranks : rank, communicator);
+      if (first < n_ranks)
+        throw UserError(Utilities::MPI::broadcast(communicator, error, first));
+    }
+
+
+
+    std::uint64_t
+    new_identity()
+    {
+      std::random_device random;
+      return (std::uint64_t(random()) << 32) ^ random();
+    }
+
+
+
+    /// The fields with the ghost entries that the own cells need.
+    template <int dim>
+    StateVectors
+    with_ghosts(ContactProblem<dim>   &problem,
+                const LA::BlockVector &x,
+                const LA::Vector      &nodal_forces)
+    {
+      const DofLayout<dim> &layout       = problem.layout();
+      const auto           &multipliers  = problem.contact().multipliers();
+      const MPI_Comm        communicator = problem.contact().get_communicator();
+      StateVectors          fields;
+      fields.displacement.reinit(layout.owned, layout.relevant, communicator);
+      fields.nodal_forces.reinit(layout.owned, layout.relevant, communicator);
+      fields.multipliers.reinit(multipliers.locally_owned(),
+                                multipliers.locally_relevant(),
+                                communicator);
+      fields.displacement = x.block(0);
+      fields.nodal_forces = nodal_forces;
+      fields.multipliers  = x.block(1);
+      return fields;
+    }
+
+
+
+    /// Reads the description on rank 0 for all. Throws if the checkpoint is
+    /// not for this problem.
+    CheckpointDescription
+    read_description(const std::string        &directory,
+                     const ProblemFingerprint &present,
+                     const MPI_Comm           &communicator,
+                     std::string              &checkpoint)
+    {
+      std::string error, text;
+      if (Utilities::MPI::this_mpi_process(communicator) == 0)
+        {
+          checkpoint = find_checkpoint(directory, error);
+          if (error.empty())
+            {
+              std::ifstream      file(path_of_description(checkpoint));
+              std::ostringstream content;
+              content << file.rdbuf();
+              text = content.str();
+              CheckpointDescription description;
+              const std::string     damage = description.parse(text);
+              if (!damage.empty())
+                error = describe_damage(checkpoint, damage);
+              else
+                {
+                  const std::string difference =
+                    present.difference_from(description.problem);
+                  if (!difference.empty())
+                    error = "--restart: the checkpoint '" + checkpoint +
+                            "' is of another case: " + difference + ".";
+                }
+            }
+        }
+      throw_if_rank_0_failed(error, communicator);
+      checkpoint = Utilities::MPI::broadcast(communicator, checkpoint, 0);
+      text       = Utilities::MPI::broadcast(communicator, text, 0);
+      CheckpointDescription description;
+      description.parse(text);
+      return description;
+    }
+
+
+
+    /// Numbers of all files, those next to where this rank stands first.
+    std::vector<unsigned int>
+    reading_order(const unsigned int n_files, const MPI_Comm &communicator)
+    {
+      const double place =
+        (Utilities::MPI::this_mpi_process(communicator) + 0.5) /
+        Utilities::MPI::n_mpi_processes(communicator) * n_files;
+      std::vector<unsigned int> order(n_files);
+      for (unsigned int i = 0; i < n_files; ++i)
+        order[i] = i;
+      std::stable_sort(order.begin(),
+                       order.end(),
+                       [place](const unsigned int a, const unsigned int b) {
+                         return std::abs(a + 0.5 - place) <
+                                std::abs(b + 0.5 - place);
+                       });
+      return order;
+    }
+
+
+
+    /// Reads the records of this rank's cells; returns what is damaged.
+    template <int dim>
+    std::string
+    read_own_cells(const std::string           &checkpoint,
+                   const CheckpointDescription &description,
+                   ContactProblem<dim>         &problem,
+                   StateVectors                &fields)
+    {
+      const PartitionFreeNames<dim> names(
+        problem.layout().dof_handler.get_triangulation());
+      std::map<CellKey, typename DoFHandler<dim>::active_cell_iterator> missing;
+      for (const auto &cell :
+           problem.layout().dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned())
+          missing.emplace(names.name_of(cell->id()), cell);
+
+      CellState<dim>      state(problem);
+      std::vector<double> record;
+      for (const unsigned int n :
+           reading_order(description.n_files,
+                         problem.contact().get_communicator()))
+        {
+          if (missing.empty())
+            return "";
+          const std::string file = path_of_cells(checkpoint, n);
+          CellRecordReader  reader(file, description.identity);
+          if (!reader.error().empty())
+            return reader.error();
+          for (unsigned int i = 0; i < reader.n_cells(); ++i)
+            {
+              const auto wanted = missing.find(reader.cell(i));
+              if (wanted == missing.end())
+                continue;
+              if (!reader.read(i, record) ||
+                  !state.read(wanted->second, record, fields))
+                return "'" + file + "': its data are damaged";
+              missing.erase(wanted);
+            }
+        }
+      return missing.empty()
+               ? ""
+               : "its files lack " + std::to_string(missing.size()) + " cells";
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
-  save_checkpoint(const std::string &,
-                  ContactProblem<dim> &,
-                  const LA::BlockVector &,
-                  const CheckpointScalars &)
-  {}
+  save_checkpoint(const std::string       &directory,
+                  ContactProblem<dim>     &problem,
+                  const LA::BlockVector   &x,
+                  const LA::Vector        &nodal_forces,
+                  const CheckpointScalars &scalars)
+  {
+    const MPI_Comm        communicator = problem.contact().get_communicator();
+    const unsigned int    rank = Utilities::MPI::this_mpi_process(communicator);
+    CheckpointDescription description;
+    description.problem = fingerprint(problem);
+    description.n_files = Utilities::MPI::n_mpi_processes(communicator);
+    description.scalars = scalars;
+    std::string checkpoint, error;
+    if (rank == 0)
+      {
+        error                = prepare_next_checkpoint(directory, checkpoint);
+        description.identity = new_identity();
+      }
+    throw_if_rank_0_failed(error, communicator);
+    checkpoint = Utilities::MPI::broadcast(communicator, checkpoint, 0);
+    description.identity =
+      Utilities::MPI::broadcast(communicator, description.identity, 0);
+
+    const PartitionFreeNames<dim> names(
+      problem.layout().dof_handler.get_triangulation());
+    const StateVectors  fields = with_ghosts(problem, x, nodal_forces);
+    CellState<dim>      state(problem);
+    CellRecordWriter    writer(path_of_cells(checkpoint, rank),
+                            description.identity);
+    std::vector<double> record;
+    for (const auto &cell :
+         problem.layout().dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          state.write(cell, fields, record);
+          writer.add(names.name_of(cell->id()), record);
+        }
+    throw_if_any_rank_failed(writer.finish(), communicator);
+
+    if (rank == 0)
+      error =
+        declare_complete(checkpoint, description.text(), description.n_files);
+    throw_if_rank_0_failed(error, communicator);
+  }
+
+
+
   template <int dim>
   CheckpointScalars
-  load_checkpoint(const std::string &, ContactProblem<dim> &, LA::BlockVector &)
+  load_checkpoint(const std::string   &directory,
+                  ContactProblem<dim> &problem,
+                  LA::BlockVector     &x,
+                  LA::Vector          &nodal_forces)
   {
-    return {};
+    const MPI_Comm communicator = problem.contact().get_communicator();
+    std::string    checkpoint;
+    const CheckpointDescription description = read_description(
+      directory, fingerprint(problem), communicator, checkpoint);
+
+    x = problem.zero_state();
+    StateVectors fields{x.block(0), x.block(0), x.block(1)};
+    std::string  damage =
+      read_own_cells(checkpoint, description, problem, fields);
+    if (!damage.empty())
+      damage = describe_damage(checkpoint, damage);
+    throw_if_any_rank_failed(damage, communicator);
+    for (LA::Vector *field :
+         {&fields.displacement, &fields.nodal_forces, &fields.multipliers})
+      field->compress(VectorOperation::insert);
+    x.block(0)   = fields.displacement;
+    x.block(1)   = fields.multipliers;
+    nodal_forces = fields.nodal_forces;
+    problem.restore(); // the state goes on from the accepted histories
+    return description.scalars;
   }
-  template void
-  save_checkpoint(const std::string &,
-                  ContactProblem<2> &,
-                  const LA::BlockVector &,
-                  const CheckpointScalars &);
-  template void
-  save_checkpoint(const std::string &,
-                  ContactProblem<3> &,
-                  const LA::BlockVector &,
-                  const CheckpointScalars &);
-  template CheckpointScalars
-  load_checkpoint(const std::string &, ContactProblem<2> &, LA::BlockVector &);
-  template CheckpointScalars
-  load_checkpoint(const std::string &, ContactProblem<3> &, LA::BlockVector &);
+
+
+
+#define INSTANTIATE(dim)                                                 \
+  template void              save_checkpoint(const std::string &,        \
+                                             ContactProblem<dim> &,      \
+                                             const LA::BlockVector &,    \
+                                             const LA::Vector &,         \
+                                             const CheckpointScalars &); \
+  template CheckpointScalars load_checkpoint(const std::string &,        \
+                                             ContactProblem<dim> &,      \
+                                             LA::BlockVector &,          \
+                                             LA::Vector &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace stickslip

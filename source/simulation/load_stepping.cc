@@ -157,7 +157,9 @@ namespace stickslip
                        const unsigned int step_number)
   {
     current_time = time;
-    step         = step_size;
     n_accepted   = step_number;
+    // the limits may be new, and a failed run has cut below the minimum
+    step = std::min(std::max(step_size, parameters.minimum_step),
+                    parameters.maximum_step);
   }
 } // namespace stickslip

@@ -5,6 +5,7 @@
 #include <stickslip/output/output_directory.h>
 
 #include <stickslip/simulation/checkpoint.h>
+#include <stickslip/simulation/checkpoint_directory.h>
 #include <stickslip/simulation/final_results.h>
 #include <stickslip/simulation/simulation.h>
 
@@ -59,7 +60,8 @@ namespace stickslip
   unsigned int
   Simulation<dim>::run(const std::string &restart_from)
   {
-    resume(restart_from);
+    if (!restart_from.empty())
+      resume(restart_from);
     while (!load_stepping.finished())
       {
         const double time = load_stepping.propose_step();
@@ -263,13 +265,15 @@ namespace stickslip
   void
   Simulation<dim>::write_checkpoint()
   {
-    CheckpointScalars scalars;
-    scalars.time          = load_stepping.time();
-    scalars.step_size     = load_stepping.step_size();
-    scalars.step          = load_stepping.step_number();
-    scalars.external_work = external_work;
-    scalars.friction_work = friction_work;
-    save_checkpoint(parameters.output.directory, problem, accepted, scalars);
+    save_checkpoint(parameters.output.directory,
+                    problem,
+                    accepted,
+                    accepted_forces,
+                    {load_stepping.time(),
+                     load_stepping.step_size(),
+                     load_stepping.step_number(),
+                     external_work,
+                     friction_work});
   }
 
 
@@ -278,21 +282,19 @@ namespace stickslip
   void
   Simulation<dim>::resume(const std::string &restart_from)
   {
-    if (restart_from.empty())
-      return;
-    const std::string directory =
+    const std::string &directory =
       restart_from == "latest" ? parameters.output.directory : restart_from;
     const CheckpointScalars scalars =
-      load_checkpoint(directory, problem, accepted);
-    x             = accepted;
+      load_checkpoint(directory, problem, accepted, accepted_forces);
     external_work = scalars.external_work;
     friction_work = scalars.friction_work;
     load_stepping.resume(scalars.time, scalars.step_size, scalars.step);
-    // forces, pairings and scales of the state that the run goes on from
+    // pairs the points and sets the scales that the first thresholds need
     problem.begin_step(scalars.time, accepted);
     problem.begin_iteration(accepted);
-    problem.residual(accepted);
-    accepted_forces = problem.nodal_forces();
+    log.note("continues from " + directory);
+    if (!checkpoint_is_in(directory, parameters.output.directory, communicator))
+      return; // the tables there are of another run
     field_output.resume(scalars.time);
     contact_output.resume(scalars.time);
     point_values.resume(scalars.time);

@@ -1,9 +1,8 @@
 #ifndef stickslip_contact_contact_assembler_h
 #define stickslip_contact_contact_assembler_h
 
+#include <stickslip/contact/contact_element.h>
 #include <stickslip/contact/contact_pair.h>
-
-#include <deal.II/lac/full_matrix.h>
 
 #include <memory>
 #include <vector>
@@ -17,19 +16,6 @@ namespace stickslip
     bool threshold = true;
     bool status    = true;
   };
-
-  /// All that is known of one contact point in the present configuration.
-  template <int dim>
-  struct ContactEvaluation
-  {
-    Multipliers<dim>       multipliers;
-    ContactKinematics<dim> kinematics;
-    MasterPoint<dim>       master;
-    ContactStatus          status;
-    ContactResponse<dim>   response;
-  };
-
-
 
   /**
    * Turns contact points into matrix and vector entries for one configuration
@@ -117,9 +103,14 @@ namespace stickslip
     point_dofs(const ContactPair<dim>  &pair,
                const ContactPoint<dim> &point) const;
 
-    /// Adds the step's slip to the points' history.
+    /// Adds the step's slip to the points' history and keeps the pairing.
     void
     accept_step();
+
+    /// Forgets the pairing of a failed step, so that the next try starts from
+    /// the accepted one.
+    void
+    restore();
 
     const MPI_Comm &
     get_communicator() const
@@ -138,6 +129,11 @@ namespace stickslip
     LA::Vector                                     lambda;
     ContactEvaluation<dim>                         scratch;
     MasterPoint<dim>                               old_master;
+
+    /// The point's data for contact_element.h. Points into the pair.
+    ContactElement<dim>
+    element_of(const ContactPair<dim>  &pair,
+               const ContactPoint<dim> &point) const;
 
     Multipliers<dim>
     multipliers_at(const ContactPair<dim>  &pair,
@@ -165,16 +161,6 @@ namespace stickslip
     double
     given_threshold(const ContactPair<dim>  &pair,
                     const ContactPoint<dim> &point) const;
-
-    void
-    local_residual(const ContactPair<dim>  &pair,
-                   const ContactPoint<dim> &point,
-                   Vector<double>          &local) const;
-
-    void
-    local_tangent(const ContactPair<dim>  &pair,
-                  const ContactPoint<dim> &point,
-                  FullMatrix<double>      &local) const;
   };
 } // namespace stickslip
 

@@ -4,11 +4,9 @@
 #include <stickslip/base/space_time_function.h>
 
 #include <stickslip/contact/contact_parameters.h>
-#include <stickslip/contact/contact_point.h>
+#include <stickslip/contact/contact_points.h>
 #include <stickslip/contact/master_patch.h>
 #include <stickslip/contact/multiplier_numbering.h>
-
-#include <deal.II/base/quadrature.h>
 
 #include <memory>
 #include <string>
@@ -16,14 +14,6 @@
 
 namespace stickslip
 {
-  /// Shape functions of a slave face at the contact points, the same for all.
-  template <int dim>
-  struct SlaveShapeTable
-  {
-    std::vector<FaceShapeValues<dim>> displacement; ///< [q]
-    std::vector<std::vector<double>>  multiplier;   ///< [q][node]
-  };
-
   /**
    * A slave and a master surface: the slave faces and contact points of this
    * rank and the patch of master faces around them. Knows geometry and
@@ -116,24 +106,6 @@ namespace stickslip
     std::vector<std::vector<Tensor<1, dim>>> positions_at_fetch;
     std::vector<std::vector<Tensor<1, dim>>> master_positions_at_fetch;
     double                                   margin = 0.;
-
-    std::array<Tensor<1, dim>, dim - 1>
-    slave_tangents(const std::vector<Tensor<1, dim>> &node_positions,
-                   const unsigned int                 quadrature_index) const;
-
-    void
-    make_points(const Quadrature<dim - 1>             &quadrature,
-                const std::vector<CollectedFace<dim>> &faces_with_ghosts);
-
-    void
-    set_reference_frames(
-      ContactPoint<dim>                                       &point,
-      const std::map<types::global_dof_index, Tensor<1, dim>> &nodal_normals);
-
-    void
-    exclude_nodes(const std::set<types::boundary_id> &boundary,
-                  const Mapping<dim>                 &mapping,
-                  const DoFHandler<dim>              &dof_handler);
   };
 } // namespace stickslip
 

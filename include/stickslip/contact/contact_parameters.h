@@ -10,6 +10,10 @@ namespace stickslip
 {
   using namespace dealii;
 
+  /// Dimensionless r_t where the user gives none: measured to lie in the middle
+  /// of the range in which the frictional plate converges (formulation 3.7).
+  constexpr double automatic_r_t = 0.25;
+
   /**
    * The six regularization parameters (formulation 3.3), as factors of the
    * automatic scales or as plain numbers with units.
@@ -17,10 +21,10 @@ namespace stickslip
   struct RegularizationParameters
   {
     std::string scale            = "automatic";
-    double      r_n              = 1.;
-    double      r_t              = 0.25;
+    std::string r_n              = "automatic";
+    std::string r_t              = "automatic";
     std::string r_n_status       = "r_n";
-    std::string r_n_augmentation = "automatic";
+    std::string r_n_augmentation = "r_n";
     std::string r_n_law          = "r_n";
     std::string r_t_status       = "r_t";
     std::string r_t_augmentation = "r_t";

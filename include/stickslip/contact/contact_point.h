@@ -45,7 +45,8 @@ namespace stickslip
     Regularization regularization;
 
     // history
-    Tensor<1, dim> accumulated_slip;
+    ContactFrame<dim> accepted_frame; ///< of the last accepted step
+    Tensor<1, dim>    accumulated_slip;
   };
 } // namespace stickslip
 

@@ -118,6 +118,22 @@ namespace stickslip
 
 
 
+  /// Tangents a_alpha of a face at a point, from the gradients of its shape
+  /// functions there and the positions of its nodes.
+  template <int dim>
+  std::array<Tensor<1, dim>, dim - 1>
+  surface_tangents(const std::vector<Tensor<1, dim - 1>> &gradient,
+                   const std::vector<Tensor<1, dim>>     &node_positions)
+  {
+    std::array<Tensor<1, dim>, dim - 1> a;
+    for (unsigned int j = 0; j < node_positions.size(); ++j)
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        a[d] += gradient[j][d] * node_positions[j];
+    return a;
+  }
+
+
+
   /// A face together with where its cell is.
   template <int dim>
   struct CollectedFace

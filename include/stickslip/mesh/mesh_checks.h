@@ -3,7 +3,6 @@
 
 #include <deal.II/grid/tria.h>
 
-#include <exception>
 #include <string>
 #include <vector>
 
@@ -24,11 +23,6 @@ namespace stickslip
   void
   check_cell_shapes(const Triangulation<dim> &triangulation,
                     const std::string        &path);
-
-  /// The message of a deal.II exception without its decoration (file, line,
-  /// stack), in one line.
-  std::string
-  short_message(const std::exception &exception);
 } // namespace stickslip
 
 #endif

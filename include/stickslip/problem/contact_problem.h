@@ -11,6 +11,8 @@
 #include <stickslip/mesh/mesh_builder.h>
 
 #include <stickslip/problem/dof_layout.h>
+#include <stickslip/problem/problem_constraints.h>
+#include <stickslip/problem/problem_sparsity.h>
 
 #include <stickslip/solid/boundary_conditions.h>
 #include <stickslip/solid/material_parameters.h>
@@ -148,7 +150,8 @@ namespace stickslip
       return u;
     }
 
-    /// Brings contact and ghosted vectors to the state @p x.
+    /// Brings contact and ghosted vectors to the state @p x. Free of cost if
+    /// they are there already, as in the calls of one Newton iteration.
     void
     configure(const LA::BlockVector &x, const bool may_fetch_patches);
 
@@ -156,14 +159,15 @@ namespace stickslip
     SolveCounts counts;
 
   private:
-    Mesh<dim>                             &mesh;
-    MPI_Comm                               communicator;
-    DofLayout<dim>                         dofs;
-    const bool                             quasi_tangent;
-    BoundaryConditions<dim>                boundary_conditions;
-    std::unique_ptr<SolidAssembler<dim>>   solid_assembler;
-    std::unique_ptr<ContactAssembler<dim>> contact_assembler;
-    std::vector<bool>                      master_is_rigid; ///< by pair
+    Mesh<dim>                               &mesh;
+    MPI_Comm                                 communicator;
+    DofLayout<dim>                           dofs;
+    const bool                               quasi_tangent;
+    BoundaryConditions<dim>                  boundary_conditions;
+    std::unique_ptr<SolidAssembler<dim>>     solid_assembler;
+    std::unique_ptr<ContactAssembler<dim>>   contact_assembler;
+    std::unique_ptr<ProblemConstraints<dim>> constraints;
+    std::unique_ptr<ProblemSparsity<dim>>    sparsity;
 
     std::unique_ptr<ContactGeometry<dim>>    geometry;
     std::unique_ptr<FrictionThreshold<dim>>  threshold;
@@ -173,35 +177,25 @@ namespace stickslip
     LA::BlockVector x_old;
     LA::Vector      u, u_old, lambda; ///< ghosted
     LA::Vector      forces;           ///< internal plus contact
-    Constraints     geometric;        ///< hanging nodes, periodicity
-    Constraints     constraints;      ///< of the increment, all of them
-    double          unapplied_displacement      = 0.;
-    bool            constraints_are_homogeneous = false;
-    double          force_floor                 = 0.;
-    bool            pattern_is_outdated         = true;
+    double          force_floor = 0.;
 
-    std::set<std::tuple<unsigned int, unsigned int, FaceId>> known_couplings;
+    // what the last configure() was for
+    bool            is_configured = false;
+    LA::BlockVector configured_x;
+    bool            configured_live      = false; ///< the geometry was live
+    bool            patches_were_checked = false;
 
     LA::BlockSparseMatrix system_matrix;
     LA::BlockVector       rhs;
 
     void
-    make_contact_pairs(const NamedList<ContactPairParameters> &parameters);
-
-    void
     update_ghost_layout();
 
-    void
-    update_constraints(const LA::BlockVector &x);
-
-    void
-    constrain_multipliers(Constraints &lines) const;
-
-    void
-    update_sparsity();
-
+    /// True (on all ranks) if configure() has nothing to do: same state, step
+    /// and liveness as the last time.
     bool
-    couplings_are_known();
+    is_configured_for(const LA::BlockVector &x,
+                      const bool             may_fetch_patches) const;
   };
 } // namespace stickslip
 

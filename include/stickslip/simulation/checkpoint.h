@@ -3,45 +3,63 @@
 
 #include <stickslip/problem/contact_problem.h>
 
+#include <stickslip/simulation/checkpoint_description.h>
+
 #include <string>
 
 namespace stickslip
 {
-  /// The numbers of a state that are not fields.
-  struct CheckpointScalars
-  {
-    double       time          = 0.;
-    double       step_size     = 0.;
-    unsigned int step          = 0;
-    double       external_work = 0.;
-    double       friction_work = 0.;
-  };
-
   /**
-   * Writes the accepted state @p x with all histories below @p directory
-   * (the output directory). Keyed by cell, so that any number of ranks and
-   * either partitioner can read it. The checkpoint before stays valid until
-   * this one is complete. Collective; throws UserError on all ranks if it
-   * cannot be written.
+   * Writes an accepted state below @p directory (the output directory): the
+   * state @p x, the @p nodal_forces that go with it, the histories of
+   * @p problem, and the faces that the contact points are paired with.
+   *
+   * The state is cut into records of cells: nodal values, point history,
+   * multipliers and contact points of the cell's slave faces. Each rank writes
+   * those of its own cells into a file of its own (so values at nodes between
+   * cells are there several times), which needs no communication and little
+   * memory. The records have names of cells that
+   * no partition changes: any number of ranks with either
+   * partitioner can read what any other wrote.
+   *
+   * The directories checkpoint-a and checkpoint-b are used in turn, and the
+   * file checkpoint.latest, renamed into place when all ranks are done, names
+   * the valid one: there is a whole checkpoint at any time, also if the run
+   * dies here. Collective; throws UserError on all ranks if it cannot be
+   * written.
    */
   template <int dim>
   void
   save_checkpoint(const std::string       &directory,
                   ContactProblem<dim>     &problem,
                   const LA::BlockVector   &x,
+                  const LA::Vector        &nodal_forces,
                   const CheckpointScalars &scalars);
 
   /**
-   * Reads the latest complete checkpoint below @p directory into @p x and the
-   * histories of @p problem, which must have been made from the same mesh.
+   * Reads the latest complete checkpoint below @p directory, or the one that
+   * @p directory itself is, into @p x, @p nodal_forces (both not ghosted) and
+   * the histories of @p problem. It must be the same mesh with the same contact
+   * pairs, and no step may have been made yet: the pairings become valid when
+   * the problem is configured for the first time.
+   *
+   * A rank looks into the files beginning with those where its own number
+   * stands and stops when it has all its cells: one file if nothing has
+   * changed, a few neighbours for other numbers of ranks if the cells are in
+   * space-filling order (p4est). It reads the index of a file (32 bytes per
+   * cell), then only its own records. At worst (METIS, other numbers) every
+   * rank reads all indices, one after the other: 320 MB of reading for ten
+   * million cells, and memory for one of them.
+   *
    * Collective; throws UserError on all ranks if there is none or it does not
-   * fit.
+   * fit or is damaged.
    */
   template <int dim>
   CheckpointScalars
   load_checkpoint(const std::string   &directory,
                   ContactProblem<dim> &problem,
-                  LA::BlockVector     &x);
+                  LA::BlockVector     &x,
+                  LA::Vector          &nodal_forces);
 } // namespace stickslip
 
 #endif

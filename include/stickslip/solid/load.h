@@ -3,8 +3,8 @@
 
 #include <stickslip/base/types.h>
 
+#include <stickslip/base/space_time_function.h>
 #include <stickslip/solid/boundary_condition_parameters.h>
-#include <stickslip/solid/space_time_function.h>
 
 #include <memory>
 #include <set>

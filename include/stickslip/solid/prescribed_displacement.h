@@ -5,9 +5,9 @@
 
 #include <stickslip/mesh/body.h>
 
+#include <stickslip/base/space_time_function.h>
 #include <stickslip/solid/boundary_condition_parameters.h>
 #include <stickslip/solid/rigid_motion.h>
-#include <stickslip/solid/space_time_function.h>
 
 #include <deal.II/dofs/dof_handler.h>
 

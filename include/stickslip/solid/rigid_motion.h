@@ -1,8 +1,8 @@
 #ifndef stickslip_solid_rigid_motion_h
 #define stickslip_solid_rigid_motion_h
 
+#include <stickslip/base/space_time_function.h>
 #include <stickslip/solid/boundary_condition_parameters.h>
-#include <stickslip/solid/space_time_function.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>

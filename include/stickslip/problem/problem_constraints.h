@@ -1,0 +1,87 @@
+#ifndef stickslip_problem_problem_constraints_h
+#define stickslip_problem_problem_constraints_h
+
+#include <stickslip/contact/contact_assembler.h>
+
+#include <stickslip/mesh/body.h>
+
+#include <stickslip/problem/dof_layout.h>
+
+#include <stickslip/solid/boundary_conditions.h>
+
+#include <vector>
+
+namespace stickslip
+{
+  /**
+   * Constraints of the unknowns [displacements, multipliers]: geometric ones
+   * (hanging nodes, periodicity) and all those of a Newton increment, which
+   * also has to apply what is missing of the prescribed displacements.
+   * Multipliers follow the displacements where these are interpolated and are
+   * zero at excluded nodes.
+   */
+  template <int dim>
+  class ProblemConstraints
+  {
+  public:
+    /// The arguments must outlive this object, except @p bodies.
+    ProblemConstraints(const DofLayout<dim>          &dofs,
+                       const Bodies                  &bodies,
+                       const BoundaryConditions<dim> &boundary_conditions,
+                       const ContactAssembler<dim>   &contact,
+                       const MPI_Comm                &communicator);
+
+    /// Says that the time or the set of needed displacements changed.
+    void
+    invalidate()
+    {
+      is_up_to_date = false;
+    }
+
+    /// Renews the constraints for increments of @p displacement (not ghosted),
+    /// unless a previous one satisfied all of them already. Collective.
+    void
+    update(const double time, const LA::Vector &displacement);
+
+    /// Hanging nodes and periodicity.
+    const Constraints &
+    geometric() const
+    {
+      return geometric_lines;
+    }
+
+    /// All constraints of an increment.
+    const Constraints &
+    increment() const
+    {
+      return increment_lines;
+    }
+
+    /// Largest prescribed displacement that is not applied yet, over ranks.
+    double
+    unapplied_displacement() const
+    {
+      return unapplied;
+    }
+
+  private:
+    const DofLayout<dim>          &dofs;
+    const BoundaryConditions<dim> &boundary_conditions;
+    const ContactAssembler<dim>   &contact;
+    std::vector<bool>              master_is_rigid; ///< by pair
+    const MPI_Comm                 communicator;
+
+    Constraints geometric_lines;
+    Constraints increment_lines;
+    double      unapplied     = 0.;
+    bool        is_up_to_date = false;
+
+    Constraints
+    known_where_needed(const Constraints &seen) const;
+
+    void
+    constrain_multipliers(Constraints &lines) const;
+  };
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,49 @@
+#ifndef stickslip_problem_problem_sparsity_h
+#define stickslip_problem_problem_sparsity_h
+
+#include <stickslip/contact/contact_assembler.h>
+
+#include <stickslip/problem/dof_layout.h>
+
+#include <set>
+#include <tuple>
+
+namespace stickslip
+{
+  /**
+   * Sparsity pattern of the tangent: cells, and the couplings of slave and
+   * master faces that were paired since the master patches were fetched.
+   */
+  template <int dim>
+  class ProblemSparsity
+  {
+  public:
+    /// @p dofs and @p contact must outlive this object.
+    ProblemSparsity(const DofLayout<dim>        &dofs,
+                    const ContactAssembler<dim> &contact,
+                    const MPI_Comm              &communicator);
+
+    /// The master patches changed: the pattern is built anew.
+    void
+    forget_couplings();
+
+    /// Gives @p matrix a new pattern (and true) if the present pairings need
+    /// one. Collective.
+    bool
+    update(const Constraints &constraints, LA::BlockSparseMatrix &matrix);
+
+  private:
+    const DofLayout<dim>        &dofs;
+    const ContactAssembler<dim> &contact;
+    const MPI_Comm               communicator;
+
+    /// Pair, slave face, master face.
+    std::set<std::tuple<unsigned int, unsigned int, FaceId>> known_couplings;
+    bool                                                     is_outdated = true;
+
+    bool
+    couplings_are_known();
+  };
+} // namespace stickslip
+
+#endif

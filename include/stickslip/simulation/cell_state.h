@@ -1,0 +1,111 @@
+#ifndef stickslip_simulation_cell_state_h
+#define stickslip_simulation_cell_state_h
+
+#include <stickslip/problem/contact_problem.h>
+
+#include <stickslip/simulation/cell_records.h>
+
+#include <deal.II/distributed/tria.h>
+
+#include <map>
+#include <vector>
+
+namespace stickslip
+{
+  /// The fields of a state; not ghosted.
+  struct StateVectors
+  {
+    LA::Vector displacement;
+    LA::Vector nodal_forces;
+    LA::Vector multipliers;
+  };
+
+
+
+  /**
+   * Names of cells that do not depend on the partition. CellId::to_binary()
+   * nearly does it, but p4est renumbers the coarse cells, so that its ids
+   * differ from those of a mesh partitioned by METIS: this takes the number of
+   * the coarse cell in the mesh from which both were made.
+   */
+  template <int dim>
+  class PartitionFreeNames
+  {
+  public:
+    explicit PartitionFreeNames(const Triangulation<dim> &triangulation);
+
+    CellKey
+    name_of(const CellId &id) const;
+
+    /// Coarse cell in the first word of CellId::to_binary() to that of a name.
+    unsigned int
+    coarse_name(const unsigned int coarse_id) const;
+
+    /// The inverse of coarse_name().
+    unsigned int
+    coarse_id(const unsigned int coarse_name) const;
+
+  private:
+    /// nullptr: ids are names already
+    const parallel::distributed::Triangulation<dim> *renumbered;
+  };
+
+
+
+  /**
+   * Turns all that a state has on a locally owned cell into numbers and back:
+   * displacements and forces of its nodes, the accepted history of its points,
+   * and of its slave faces (in the order of pairs and faces) the multipliers
+   * and the contact points' slip and pairing. Not collective.
+   */
+  template <int dim>
+  class CellState
+  {
+  public:
+    using CellIterator = typename DoFHandler<dim>::active_cell_iterator;
+
+    explicit CellState(ContactProblem<dim> &problem);
+
+    /// @p fields must have the values of all nodes of the cell (ghosts).
+    void
+    write(const CellIterator  &cell,
+          const StateVectors  &fields,
+          std::vector<double> &record);
+
+    /**
+     * Sets the history and the entries of @p fields, also those that other
+     * ranks own: compress(VectorOperation::insert) when all cells are read.
+     * False if the record has not the length that this cell has.
+     */
+    bool
+    read(const CellIterator        &cell,
+         const std::vector<double> &record,
+         StateVectors              &fields);
+
+  private:
+    ContactProblem<dim>    &problem;
+    PartitionFreeNames<dim> names;
+
+    struct SlaveFaces
+    {
+      /// By CellId::to_binary().
+      std::map<CellId::binary_type, std::vector<unsigned int>> of_cell;
+      /// Of each slave face, and the number of points at the end.
+      std::vector<unsigned int> first_point;
+    };
+    std::vector<SlaveFaces> slave_faces; ///< by pair
+
+    std::vector<types::global_dof_index> dof_indices;
+
+    template <class Cursor>
+    void
+    walk_contact_point(ContactPoint<dim> &point, Cursor &cursor) const;
+
+    /// Reading and writing are the same walk over the numbers.
+    template <class Cursor, class Fields>
+    void
+    walk(const CellIterator &cell, Cursor &cursor, Fields &fields);
+  };
+} // namespace stickslip
+
+#endif

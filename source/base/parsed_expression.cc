@@ -1,0 +1,81 @@
+#include <stickslip/base/parsed_expression.h>
+#include <stickslip/base/short_message.h>
+#include <stickslip/base/user_error.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <sstream>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// FunctionParser prints muparser's message on every rank before it throws;
+    /// the user shall get ours, once.
+    class SilentErrorStream
+    {
+    public:
+      SilentErrorStream()
+        : original(std::cerr.rdbuf(discarded.rdbuf()))
+      {}
+
+      ~SilentErrorStream()
+      {
+        std::cerr.rdbuf(original);
+      }
+
+    private:
+      std::ostringstream discarded;
+      std::streambuf    *original;
+    };
+  } // namespace
+
+
+
+  template <int n>
+  std::unique_ptr<FunctionParser<n>>
+  parse_expressions(const std::string              &variables,
+                    const std::vector<std::string> &expressions,
+                    const std::string              &parameter_path)
+  {
+    const std::map<std::string, double> constants = {{"pi", numbers::PI}};
+    auto parser = std::make_unique<FunctionParser<n>>(expressions.size());
+    try
+      {
+        const SilentErrorStream silence;
+        const bool              has_extra_variable =
+          std::count(variables.begin(), variables.end(), ',') == n;
+        parser->initialize(variables,
+                           expressions,
+                           constants,
+                           has_extra_variable);
+        // muparser finds some mistakes only when it evaluates.
+        for (unsigned int c = 0; c < expressions.size(); ++c)
+          parser->value(Point<n>(), c);
+      }
+    catch (const std::exception &exception)
+      {
+        std::string text;
+        for (const std::string &expression : expressions)
+          text += (text.empty() ? "" : "; ") + expression;
+        throw UserError(parameter_path + ": cannot evaluate '" + text +
+                        "' with the variables " + variables + ". " +
+                        short_message(exception));
+      }
+    return parser;
+  }
+
+
+
+  template std::unique_ptr<FunctionParser<2>>
+  parse_expressions<2>(const std::string &,
+                       const std::vector<std::string> &,
+                       const std::string &);
+  template std::unique_ptr<FunctionParser<3>>
+  parse_expressions<3>(const std::string &,
+                       const std::vector<std::string> &,
+                       const std::string &);
+} // namespace stickslip

@@ -1,0 +1,66 @@
+#include <stickslip/base/user_error.h>
+
+#include <stickslip/problem/contact_pairs.h>
+
+#include <set>
+
+namespace stickslip
+{
+  template <int dim>
+  std::vector<std::unique_ptr<ContactPair<dim>>>
+  make_contact_pairs(
+    const NamedList<ContactPairParameters>                &parameters,
+    const Bodies                                          &bodies,
+    const DofLayout<dim>                                  &dofs,
+    const std::function<double(const types::material_id)> &modulus,
+    const MPI_Comm                                        &communicator)
+  {
+    std::vector<std::unique_ptr<ContactPair<dim>>> pairs;
+    for (const auto &[name, pair] : parameters)
+      {
+        const std::string path  = "Contact/" + name;
+        const auto        slave = bodies.global_boundary_ids(pair.slave_body,
+                                                      pair.slave_boundary,
+                                                      path + "/Slave boundary");
+        const auto        master =
+          bodies.global_boundary_ids(pair.master_body,
+                                     pair.master_boundary,
+                                     path + "/Master boundary");
+        const unsigned int slave_body =
+          bodies.index_of(pair.slave_body, path + "/Slave body");
+        const unsigned int master_body =
+          bodies.index_of(pair.master_body, path + "/Master body");
+        if (bodies.bodies[slave_body].is_rigid &&
+            bodies.bodies[master_body].is_rigid)
+          throw UserError("'" + path + "': both bodies, '" + pair.slave_body +
+                          "' and '" + pair.master_body +
+                          "', are rigid. At least one must be deformable.");
+        std::set<types::boundary_id> excluded;
+        if (!pair.excluded_boundaries.empty())
+          excluded = bodies.global_boundary_ids(pair.slave_body,
+                                                pair.excluded_boundaries,
+                                                path + "/Excluded boundaries");
+        pairs.push_back(std::make_unique<ContactPair<dim>>(name,
+                                                           pair,
+                                                           slave,
+                                                           master,
+                                                           excluded,
+                                                           dofs.mapping,
+                                                           dofs.dof_handler,
+                                                           modulus,
+                                                           communicator));
+      }
+    return pairs;
+  }
+
+#define INSTANTIATE(dim)                                                      \
+  template std::vector<std::unique_ptr<ContactPair<dim>>> make_contact_pairs( \
+    const NamedList<ContactPairParameters> &,                                 \
+    const Bodies &,                                                           \
+    const DofLayout<dim> &,                                                   \
+    const std::function<double(const types::material_id)> &,                  \
+    const MPI_Comm &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace stickslip

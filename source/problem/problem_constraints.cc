@@ -1,0 +1,149 @@
+#include <stickslip/problem/problem_constraints.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip
+{
+  template <int dim>
+  ProblemConstraints<dim>::ProblemConstraints(
+    const DofLayout<dim>          &dofs,
+    const Bodies                  &bodies,
+    const BoundaryConditions<dim> &boundary_conditions,
+    const ContactAssembler<dim>   &contact,
+    const MPI_Comm                &communicator)
+    : dofs(dofs)
+    , boundary_conditions(boundary_conditions)
+    , contact(contact)
+    , communicator(communicator)
+  {
+    for (const auto &pair : contact.contact_pairs())
+      {
+        const unsigned int master =
+          bodies.index_of(pair->parameters.master_body,
+                          "Contact/" + pair->name + "/Master body");
+        master_is_rigid.push_back(bodies.bodies[master].is_rigid);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  ProblemConstraints<dim>::constrain_multipliers(Constraints &lines) const
+  {
+    const types::global_dof_index n_u       = dofs.owned.size();
+    const auto                   &pairs     = contact.contact_pairs();
+    const auto                   &numbering = contact.multipliers();
+    for (const MultiplierNode &node : numbering.relevant_nodes())
+      {
+        const ContactPair<dim> &pair   = *pairs[node.pair];
+        const unsigned int      n_comp = pair.n_multiplier_components();
+        bool is_excluded = pair.excluded_keys().count(node.key) > 0;
+        // a node that cannot move against a master that cannot move
+        if (master_is_rigid[node.pair])
+          {
+            bool is_held = true;
+            for (unsigned int c = 0; c < dim; ++c)
+              {
+                const auto *entries =
+                  lines.is_constrained(node.key + c)
+                    ? lines.get_constraint_entries(node.key + c)
+                    : nullptr;
+                is_held = is_held && entries != nullptr && entries->empty();
+              }
+            is_excluded = is_excluded || is_held;
+          }
+        // hanging and periodic nodes have no multipliers of their own
+        const auto *entries =
+          geometric_lines.is_constrained(node.key)
+            ? geometric_lines.get_constraint_entries(node.key)
+            : nullptr;
+        for (unsigned int c = 0; c < n_comp; ++c)
+          {
+            const auto dof = n_u + node.first_dof + c;
+            if (is_excluded)
+              lines.add_line(dof);
+            else if (entries != nullptr && !entries->empty())
+              {
+                lines.add_line(dof);
+                for (const auto &[key, weight] : *entries)
+                  if (numbering.has_node(node.pair, key))
+                    lines.add_entry(dof,
+                                    n_u + numbering.first_dof(node.pair, key) +
+                                      c,
+                                    weight);
+              }
+          }
+      }
+  }
+
+
+
+  /// The cells of this rank do not show how nodes of distant master faces are
+  /// constrained; their owners know. Closed first: what such a node hangs on
+  /// may be constrained, too, and out of sight.
+  template <int dim>
+  Constraints
+  ProblemConstraints<dim>::known_where_needed(const Constraints &seen) const
+  {
+    Constraints closed(seen);
+    closed.close();
+    const IndexSet needed = contact.needed_displacements();
+    Constraints    known(needed);
+    copy_lines(closed, known);
+    known.make_consistent_in_parallel(dofs.owned, needed, communicator);
+    known.close();
+    return known;
+  }
+
+
+
+  template <int dim>
+  void
+  ProblemConstraints<dim>::update(const double      time,
+                                  const LA::Vector &displacement)
+  {
+    if (is_up_to_date)
+      return;
+    const auto    &multipliers = contact.multipliers();
+    const IndexSet needed      = contact.needed_displacements();
+
+    Constraints displacement_lines(dofs.relevant);
+    DoFTools::make_hanging_node_constraints(dofs.dof_handler,
+                                            displacement_lines);
+    boundary_conditions.add_periodicity(dofs.dof_handler, displacement_lines);
+    const IndexSet local =
+      combined_index_set(needed, multipliers.locally_relevant());
+    geometric_lines.reinit(local);
+    copy_lines(known_where_needed(displacement_lines), geometric_lines);
+
+    boundary_conditions.add_prescribed_displacements(
+      dofs.mapping, dofs.dof_handler, time, displacement, displacement_lines);
+    increment_lines.reinit(local);
+    copy_lines(known_where_needed(displacement_lines), increment_lines);
+    constrain_multipliers(increment_lines);
+    increment_lines.close();
+
+    geometric_lines.close();
+
+    unapplied = 0.;
+    for (const auto i : dofs.owned)
+      if (increment_lines.is_inhomogeneously_constrained(i))
+        unapplied =
+          std::max(unapplied, std::abs(increment_lines.get_inhomogeneity(i)));
+    unapplied            = Utilities::MPI::max(unapplied, communicator);
+    const double largest = displacement.linfty_norm();
+    // what is left of a fully applied displacement is roundoff
+    if (unapplied <= 1e-14 * largest)
+      unapplied = 0.;
+    is_up_to_date = unapplied == 0.;
+  }
+
+  template class ProblemConstraints<2>;
+  template class ProblemConstraints<3>;
+} // namespace stickslip

@@ -1,0 +1,213 @@
+#include <stickslip/simulation/cell_records.h>
+#include <stickslip/simulation/cell_state.h>
+#include <stickslip/simulation/checkpoint_description.h>
+
+#include <deal.II/base/array_view.h>
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace stickslip
+{
+  namespace
+  {
+    const std::string checkpoint_first_line = "stickslip checkpoint 1";
+    const std::string checkpoint_last_line  = "end";
+
+    /// Sums over the same mesh differ by less than this fraction of the sum of
+    /// the sizes of their terms, whatever the order.
+    constexpr double geometry_tolerance = 1e-10;
+
+
+
+    /// Hash of the set of cells, and weighted sums of their centers; the weight
+    /// tells the cells apart.
+    template <int dim>
+    std::uint64_t
+    hash_mesh(const DoFHandler<dim> &dof_handler,
+              const MPI_Comm        &communicator,
+              std::vector<double>   &geometry)
+    {
+      const PartitionFreeNames<dim> names(dof_handler.get_triangulation());
+      std::uint64_t                 topology = 0;
+      geometry.assign(dim + 1, 0.);
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            const CellKey                     key = names.name_of(cell->id());
+            const std::array<unsigned int, 5> name{
+              {key[0], key[1], key[2], key[3], cell->material_id()}};
+            const std::uint64_t hash = hash_of_bytes(name.data(), sizeof(name));
+            const double        weight = std::ldexp(hash >> 11, -53);
+            const Point<dim>    center = cell->center();
+            topology += hash;
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                geometry[d] += weight * center[d];
+                geometry[dim] += std::abs(center[d]) + cell->diameter();
+              }
+          }
+      Utilities::MPI::sum(ArrayView<const double>(geometry.data(),
+                                                  geometry.size()),
+                          communicator,
+                          ArrayView<double>(geometry.data(), geometry.size()));
+      return Utilities::MPI::sum(topology, communicator);
+    }
+
+
+
+    /// @p value is the sum over the ranks of @p of_this_rank.
+    std::string
+    sum_in_words(const std::uint64_t of_this_rank, const MPI_Comm &communicator)
+    {
+      return std::to_string(Utilities::MPI::sum(of_this_rank, communicator));
+    }
+  } // namespace
+
+
+
+  std::string
+  ProblemFingerprint::difference_from(const ProblemFingerprint &other) const
+  {
+    for (unsigned int i = 0;
+         i < std::max(properties.size(), other.properties.size());
+         ++i)
+      {
+        const auto in_words = [i](const auto &list) {
+          return i < list.size()
+                   ? "'" + list[i].first + " = " + list[i].second + "'"
+                   : std::string("nothing more");
+        };
+        if (in_words(properties) != in_words(other.properties))
+          return "it has " + in_words(other.properties) + ", this case " +
+                 in_words(properties);
+      }
+    bool is_same = geometry.size() == other.geometry.size();
+    for (unsigned int d = 0; is_same && d + 1 < geometry.size(); ++d)
+      is_same = std::abs(geometry[d] - other.geometry[d]) <=
+                geometry_tolerance * geometry.back();
+    return is_same ? "" : "its mesh has other coordinates";
+  }
+
+
+
+  template <int dim>
+  ProblemFingerprint
+  fingerprint(ContactProblem<dim> &problem)
+  {
+    const DofLayout<dim> &layout       = problem.layout();
+    const auto           &dof_handler  = layout.dof_handler;
+    const auto           &communicator = problem.contact().get_communicator();
+    ProblemFingerprint    result;
+    const auto            add = [&result](const std::string &name,
+                               const std::string &value) {
+      result.properties.emplace_back(name, value);
+    };
+    add("dimension", std::to_string(dim));
+    add("degree", std::to_string(layout.fe.degree));
+    add("cells",
+        std::to_string(
+          dof_handler.get_triangulation().n_global_active_cells()));
+    add("displacement unknowns", std::to_string(dof_handler.n_dofs()));
+    add("mesh",
+        std::to_string(hash_mesh(dof_handler, communicator, result.geometry)));
+
+    std::uint64_t n_history = 0;
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        n_history += problem.solid()
+                       .point_history()
+                       .accepted_of_cell(cell->active_cell_index())
+                       .size();
+    add("history variables", sum_in_words(n_history, communicator));
+
+    const auto &pairs = problem.contact().contact_pairs();
+    add("contact pairs", std::to_string(pairs.size()));
+    for (unsigned int p = 0; p < pairs.size(); ++p)
+      add("contact pair " + std::to_string(p + 1),
+          sum_in_words(pairs[p]->slave_faces.size(), communicator) +
+            " slave faces, " +
+            sum_in_words(pairs[p]->points.size(), communicator) +
+            " contact points, " +
+            std::to_string(pairs[p]->multiplier_shape.n_nodes()) + " x " +
+            std::to_string(pairs[p]->n_multiplier_components()) +
+            " multipliers per face");
+    return result;
+  }
+
+
+
+  std::string
+  CheckpointDescription::text() const
+  {
+    std::ostringstream out;
+    out << std::setprecision(17) << checkpoint_first_line
+        << "\nidentity = " << identity << "\nfiles = " << n_files
+        << "\ntime = " << scalars.time << "\nstep size = " << scalars.step_size
+        << "\nstep = " << scalars.step
+        << "\nexternal work = " << scalars.external_work
+        << "\nfriction work = " << scalars.friction_work << "\ngeometry =";
+    for (const double value : problem.geometry)
+      out << ' ' << value;
+    out << '\n';
+    for (const auto &[name, value] : problem.properties)
+      out << name << " = " << value << '\n';
+    out << checkpoint_last_line << '\n';
+    return out.str();
+  }
+
+
+
+  std::string
+  CheckpointDescription::parse(const std::string &text)
+  {
+    std::istringstream in(text);
+    std::string        line;
+    if (!std::getline(in, line) || line != checkpoint_first_line)
+      return "its description does not begin with '" + checkpoint_first_line +
+             "'";
+    bool       is_good = true;
+    const auto read    = [&](const std::string &name, auto &value) {
+      const std::string start = name + " = ";
+      is_good = is_good && std::getline(in, line) && line.find(start) == 0 &&
+                (std::istringstream(line.substr(start.size())) >> value);
+    };
+    read("identity", identity);
+    read("files", n_files);
+    read("time", scalars.time);
+    read("step size", scalars.step_size);
+    read("step", scalars.step);
+    read("external work", scalars.external_work);
+    read("friction work", scalars.friction_work);
+    std::string geometry;
+    read("geometry", geometry);
+    if (is_good)
+      {
+        std::istringstream values(line.substr(line.find('=') + 1));
+        problem.geometry.clear();
+        for (double value; values >> value;)
+          problem.geometry.push_back(value);
+      }
+    problem.properties.clear();
+    while (is_good && std::getline(in, line) && line != checkpoint_last_line)
+      {
+        const auto equals = line.find(" = ");
+        is_good           = equals != std::string::npos;
+        if (is_good)
+          problem.properties.emplace_back(line.substr(0, equals),
+                                          line.substr(equals + 3));
+      }
+    return is_good && line == checkpoint_last_line && n_files > 0
+             ? ""
+             : "its description is not complete";
+  }
+
+  template ProblemFingerprint
+  fingerprint(ContactProblem<2> &);
+  template ProblemFingerprint
+  fingerprint(ContactProblem<3> &);
+} // namespace stickslip

@@ -1,0 +1,468 @@
+// The assembled tangent of two bodies in contact against differences of the
+// assembled residual, for all live/frozen combinations, on any number of ranks.
+
+#include <stickslip/problem/contact_problem.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+using namespace stickslip;
+
+namespace
+{
+  struct Case
+  {
+    std::string  name;
+    unsigned int degree;
+    std::string  normals       = "facet";
+    std::string  quadrature    = "nodal";
+    std::string  friction      = "Coulomb";
+    std::string  threshold     = "augmented";
+    std::string  space         = "displacement trace";
+    bool         hanging_nodes = false;
+    bool         held_master   = false; // its surface does not move
+  };
+
+
+
+  void
+  print(const std::string &text)
+  {
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::cout << text << std::endl;
+  }
+
+
+
+  std::string
+  text_of(const double value)
+  {
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(5) << value;
+    return text.str();
+  }
+
+
+
+  /// Two blocks with bumpy, non-matching surfaces; the upper one, the slave,
+  /// hangs over on one side.
+  template <int dim>
+  Mesh<dim>
+  make_mesh(const bool hanging_nodes)
+  {
+    BodyParameters upper, lower;
+    upper.generator = lower.generator = "subdivided_hyper_rectangle";
+    if (dim == 2)
+      {
+        upper.arguments   = "5,2 : 0.1,1.1 : 1.52,2 : true";
+        lower.arguments   = "4,2 : 0,0 : 1.5,1 : true";
+        lower.coordinates = "x; y + 0.05*y*sin(3*x)";
+        upper.coordinates = "x; y + 0.05*sin(3*x)";
+      }
+    else
+      {
+        upper.arguments   = "3,1,2 : 0.1,1.1,0.1 : 1.52,2,0.95 : true";
+        lower.arguments   = "2,1,3 : 0,0,0 : 1.5,1,1 : true";
+        lower.coordinates = "x; y + 0.05*y*sin(3*x + 2*z); z";
+        upper.coordinates = "x + 0.05*z; y + 0.05*sin(3*x + 2*z); z";
+      }
+    upper.material = lower.material = "rubber";
+    Mesh<dim> mesh                  = build_mesh<dim>(MeshParameters(),
+                                     {{"upper", upper}, {"lower", lower}},
+                                     {},
+                                     MPI_COMM_WORLD);
+    if (hanging_nodes)
+      {
+        for (const auto &cell : mesh.triangulation->active_cell_iterators())
+          if (cell->is_locally_owned() && cell->center()[0] < 0.5 &&
+              cell->center()[1] > 0.5 && cell->center()[1] < 1.5)
+            cell->set_refine_flag();
+        mesh.triangulation->execute_coarsening_and_refinement();
+      }
+    return mesh;
+  }
+
+
+
+  NamedList<MaterialParameters>
+  make_materials()
+  {
+    NamedList<MaterialParameters> materials(1);
+    materials[0].first = "rubber";
+    ParameterHandler prm;
+    materials[0].second.choose_law("St Venant-Kirchhoff", "Materials/rubber");
+    materials[0].second.add_parameters(prm);
+    prm.set("Young's modulus", 10.);
+    prm.set("Poisson's ratio", 0.3);
+    return materials;
+  }
+
+
+
+  ContactPairParameters
+  make_pair(const Case &c)
+  {
+    ContactPairParameters pair;
+    pair.slave_body           = "upper";
+    pair.slave_boundary       = {2};
+    pair.master_body          = "lower";
+    pair.master_boundary      = {3};
+    pair.friction             = c.friction;
+    pair.friction_coefficient = 0.4;
+    pair.tresca_threshold     = 0.7;
+    pair.threshold_form       = c.threshold;
+    pair.multiplier_space     = c.space;
+    pair.quadrature           = c.quadrature;
+    pair.normals              = c.normals;
+    pair.gap_offset           = "0.003*x";
+    auto &r                   = pair.regularization;
+    r.scale                   = "plain";
+    r.r_n_status              = "11";
+    r.r_n_augmentation        = "7";
+    r.r_n_law                 = "5";
+    r.r_t_status              = "9";
+    r.r_t_augmentation        = "6";
+    r.r_t_law                 = "5";
+    return pair;
+  }
+
+
+
+  /// Any states and directions, as smooth functions of the position.
+  template <int dim>
+  class States
+  {
+  public:
+    States(ContactProblem<dim> &problem)
+      : problem(problem)
+    {
+      DoFTools::map_dofs_to_support_points(problem.layout().mapping,
+                                           problem.layout().dof_handler,
+                                           points);
+      IndexSet all(problem.layout().owned.size());
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          const IndexSet dofs =
+            DoFTools::extract_dofs(problem.layout().dof_handler,
+                                   ComponentMask([&] {
+                                     std::vector<bool> selected(dim, false);
+                                     selected[c] = true;
+                                     return selected;
+                                   }()));
+          for (const auto i : dofs)
+            component[i] = c;
+        }
+    }
+
+    /// The upper body moves by about @p motion against the lower one.
+    LA::BlockVector
+    state(const Tensor<1, dim> &motion, const double phase) const
+    {
+      LA::BlockVector x = problem.zero_state();
+      for (const auto &[i, c] : component)
+        {
+          const Point<dim> &p = points.at(i);
+          x.block(0)(i) =
+            0.03 * std::sin(phase + 2. * p[0] + p[1] + 3. * p[dim - 1] + c) +
+            (is_above_interface(p) ? motion[c] : 0.);
+        }
+      set_multipliers(x, [&](const Point<dim> &p, const unsigned int c) {
+        return c == 0 ? -1. + 1.7 * std::sin(phase + 4. * p[0] + p[dim - 1])
+                      : 0.5 * std::cos(phase + 5. * p[0] + 2. * c);
+      });
+      x.compress(VectorOperation::insert);
+      problem.distribute(x);
+      return x;
+    }
+
+    LA::BlockVector
+    direction(const double k) const
+    {
+      LA::BlockVector v = problem.zero_state();
+      for (const auto &[i, c] : component)
+        {
+          const Point<dim> &p = points.at(i);
+          v.block(0)(i) =
+            std::cos(k * (7. * p[0] - 5. * p[1] + 3. * p[dim - 1]) + 2. * c);
+        }
+      set_multipliers(v, [&](const Point<dim> &p, const unsigned int c) {
+        return std::sin(k * (6. * p[0] + 2. * p[dim - 1]) + 3. * c + 0.5);
+      });
+      v.compress(VectorOperation::insert);
+      return v;
+    }
+
+    /// A translation of everything.
+    LA::BlockVector
+    translation(const unsigned int c) const
+    {
+      LA::BlockVector v = problem.zero_state();
+      for (const auto &[i, component_of_i] : component)
+        v.block(0)(i) = component_of_i == c ? 1. : 0.;
+      v.compress(VectorOperation::insert);
+      return v;
+    }
+
+  private:
+    ContactProblem<dim>                            &problem;
+    std::map<types::global_dof_index, Point<dim>>   points;
+    std::map<types::global_dof_index, unsigned int> component; ///< owned ones
+
+    static bool
+    is_above_interface(const Point<dim> &p)
+    {
+      const double phase = 3. * p[0] + (dim == 3 ? 2. * p[dim - 1] : 0.);
+      return p[1] - 0.05 * std::sin(phase) > 1.05;
+    }
+
+    template <typename Formula>
+    void
+    set_multipliers(LA::BlockVector &x, const Formula &formula) const
+    {
+      const auto &contact = problem.contact();
+      for (const auto &node : contact.multipliers().owned_nodes())
+        for (unsigned int c = 0;
+             c < contact.contact_pairs()[node.pair]->n_multiplier_components();
+             ++c)
+          x.block(1)(node.first_dof + c) = formula(points.at(node.key), c);
+    }
+  };
+
+
+
+  /// Number of points that are unpaired, open, stick, slip.
+  template <int dim>
+  std::string
+  count_states(ContactProblem<dim> &problem)
+  {
+    std::array<unsigned int, 5> n{};
+    for (const auto &pair : problem.contact().contact_pairs())
+      for (const auto &point : pair->points)
+        {
+          const auto &status = problem.contact().evaluate(*pair, point).status;
+          if (!point.frame.paired)
+            ++n[0];
+          else
+            ++n[!status.closed ? 1 : status.stick ? 2 : 3];
+          if (point.frame.paired && !point.frame.is_interior())
+            ++n[4];
+        }
+    std::string text;
+    for (const unsigned int count : n)
+      text += " " + std::to_string(Utilities::MPI::sum(count, MPI_COMM_WORLD));
+    return text;
+  }
+
+
+
+  /// Of the lambda_n rows: those of Lambda have a scale of their own.
+  template <int dim>
+  double
+  norm_of_gaps(ContactProblem<dim> &problem, const LA::BlockVector &rhs)
+  {
+    double sum = 0.;
+    for (const auto &node : problem.contact().multipliers().owned_nodes())
+      sum += rhs.block(1)(node.first_dof) * rhs.block(1)(node.first_dof);
+    return std::sqrt(Utilities::MPI::sum(sum, MPI_COMM_WORLD));
+  }
+
+
+
+  /// One where nothing is constrained, else zero: distribute() changes there
+  /// what has no relation to the other entries.
+  template <int dim>
+  LA::BlockVector
+  unconstrained(ContactProblem<dim> &problem)
+  {
+    LA::BlockVector before = problem.zero_state();
+    for (unsigned int b = 0; b < 2; ++b)
+      for (const auto i : before.block(b).locally_owned_elements())
+        before.block(b)(i) = std::sin(1.7 * i + b);
+    before.compress(VectorOperation::insert);
+    LA::BlockVector free = before;
+    problem.distribute(free);
+    for (unsigned int b = 0; b < 2; ++b)
+      for (const auto i : free.block(b).locally_owned_elements())
+        free.block(b)(i) =
+          std::abs(free.block(b)(i) - before.block(b)(i)) > 1e-10 ? 0. : 1.;
+    free.compress(VectorOperation::insert);
+    return free;
+  }
+
+
+
+  /// Zeroes what is constrained.
+  void
+  restrict_to(const LA::BlockVector &free, LA::BlockVector &x)
+  {
+    x.scale(free);
+  }
+
+
+
+  template <int dim>
+  void
+  test_case(const Case &c)
+  {
+    Mesh<dim> mesh = make_mesh<dim>(c.hanging_nodes);
+    NamedList<BoundaryConditionParameters> conditions;
+    if (c.held_master)
+      {
+        BoundaryConditionParameters held;
+        held.body     = "lower";
+        held.boundary = {3};
+        held.value    = dim == 2 ? "0; 0" : "0; 0; 0";
+        conditions.emplace_back("held", held);
+      }
+    ContactProblem<dim> problem(mesh,
+                                c.degree,
+                                make_materials(),
+                                conditions,
+                                {{"pair", make_pair(c)}},
+                                false);
+    Tensor<1, dim>      shear, more_shear;
+    shear[0] = -0.03;
+    shear[1] = -0.1;
+    shear[dim - 1] += -0.02;
+    more_shear[0] = 0.09;
+    more_shear[1] = -0.13;
+
+    problem.begin_step(0.5, problem.zero_state());
+    problem.begin_iteration(problem.zero_state()); // the constraints
+    const States<dim> states(problem);
+    // the step starts from one state, quantities freeze in another
+    problem.begin_step(1., states.state(shear, 0.2));
+    const auto x_frozen = states.state(0.5 * (shear + more_shear), 0.5);
+    const auto x        = states.state(more_shear, 0.6);
+
+    LA::BlockVector       v    = states.direction(1.3);
+    const LA::BlockVector free = unconstrained(problem);
+    problem.distribute(v);
+    LA::BlockVector v_free = v;
+    restrict_to(free, v_free);
+
+    const std::string name =
+      std::to_string(dim) + "D Q" + std::to_string(c.degree) + " " + c.name;
+    double       worst = 0.;
+    const double h     = 2e-6;
+    for (unsigned int combination = 0; combination < 8; ++combination)
+      {
+        const auto quantities = problem.quantities();
+        for (FreezableQuantity *quantity : quantities)
+          {
+            quantity->set_live(true);
+            quantity->evaluate(x_frozen);
+            quantity->accept();
+          }
+        for (unsigned int i = 0; i < 3; ++i)
+          quantities[i]->set_live((combination >> i) % 2 == 0);
+        problem.begin_iteration(x);
+
+        problem.assemble(x);
+        LA::BlockVector product = problem.zero_state();
+        problem.matrix().vmult(product, v_free);
+        const LA::BlockVector rhs = problem.right_hand_side();
+        if (combination == 0)
+          {
+            print(name + ": unpaired, open, stick, slip, on edges:" +
+                  count_states(problem));
+            print("  norm of the forces " + text_of(rhs.block(0).l2_norm()) +
+                  ", of the gaps " + text_of(norm_of_gaps(problem, rhs)));
+            problem.residual(x);
+            LA::BlockVector sum = rhs;
+            sum.block(0) += problem.nodal_forces();
+            restrict_to(free, sum);
+            // rows of what is constrained are no equations
+            LA::BlockVector in_free_rows = rhs, product_there = product;
+            restrict_to(free, in_free_rows);
+            restrict_to(free, product_there);
+            in_free_rows -= rhs;
+            product_there -= product;
+            print(
+              std::string("  constrained rows are empty: ") +
+              (in_free_rows.linfty_norm() + product_there.linfty_norm() < 1e-12
+                 ? "yes"
+                 : "NO"));
+            print(std::string("  right hand side is minus the residual: ") +
+                  (sum.block(0).linfty_norm() < 1e-12 ? "yes" : "NO"));
+            double resultant = 0.;
+            for (unsigned int d = 0; d < dim; ++d)
+              resultant = std::max(resultant,
+                                   std::abs(states.translation(d).block(0) *
+                                            problem.nodal_forces()));
+            print(std::string("  forces balance: ") +
+                  (resultant < 1e-12 ? "yes" : "NO"));
+          }
+
+        LA::BlockVector displaced = x;
+        displaced.add(-h, v);
+        problem.assemble(displaced);
+        LA::BlockVector difference = problem.right_hand_side();
+        displaced.add(2. * h, v);
+        problem.assemble(displaced);
+        difference -= problem.right_hand_side();
+        difference /= 2. * h;
+        difference -= product;
+        restrict_to(free, difference);
+        restrict_to(free, product);
+        for (unsigned int b = 0; b < 2; ++b)
+          worst = std::max(worst,
+                           difference.block(b).linfty_norm() /
+                             product.block(b).linfty_norm());
+      }
+    print("  tangents within 1e-7 of differences: " +
+          (worst < 1e-7 ? std::string("yes") : "NO, " + std::to_string(worst)));
+  }
+
+
+
+  template <int dim>
+  void
+  test_all()
+  {
+    for (const unsigned int degree : {1, 2})
+      for (const std::string normals : {"facet", "smoothed"})
+        {
+          test_case<dim>({normals + " nodal", degree, normals});
+          if (dim == 2 || degree == 1)
+            test_case<dim>({normals + " Gauss", degree, normals, "Gauss"});
+        }
+    if (dim == 2)
+      {
+        test_case<dim>(
+          {"plain threshold", 1, "facet", "Gauss", "Coulomb", "plain"});
+        test_case<dim>({"Tresca", 1, "facet", "nodal", "Tresca"});
+        test_case<dim>({"frictionless", 1, "facet", "nodal", "none"});
+      }
+    test_case<dim>(
+      {"vertices", 2, "facet", "Gauss", "Coulomb", "augmented", "vertices"});
+    for (const unsigned int degree : {1, 2})
+      if (dim == 2 || degree == 1)
+        {
+          Case c{"hanging nodes", degree, "smoothed", "Gauss"};
+          c.hanging_nodes = true;
+          test_case<dim>(c);
+          c.name        = "hanging nodes on a held master";
+          c.held_master = true;
+          test_case<dim>(c);
+        }
+    Case c{"held master", 1};
+    c.held_master = true;
+    test_case<dim>(c);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test_all<2>();
+  test_all<3>();
+}
