@@ -44,7 +44,8 @@ namespace
   {
     const bool is_validation =
       command_line.action == CommandLine::Action::validate;
-    prepare_output_directory(parameters.output.directory, MPI_COMM_WORLD);
+    if (!is_validation)
+      prepare_output_directory(parameters.output.directory, MPI_COMM_WORLD);
     Simulation<dim> simulation(parameters, MPI_COMM_WORLD);
     if (is_validation)
       {

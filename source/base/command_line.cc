@@ -258,6 +258,7 @@ Exit codes:
   1  wrong input: the message names the parameter and what is allowed
   2  no convergence, even with the smallest load step
   3  internal error: please report it
+  4  solved, but a value in section Checks falls short
 )";
   }
 

@@ -379,7 +379,8 @@ namespace stickslip
           local *= -1.;
           local_tangent(element,
                         scratch,
-                        live.geometry && pair->parameters.normals == "smoothed",
+                        live.geometry && linearize_geometry &&
+                          pair->parameters.normals == "smoothed",
                         local_matrix);
           constraints.distribute_local_to_global(
             local_matrix, local, dofs, matrix, rhs);

@@ -52,7 +52,10 @@ namespace stickslip
                       "vertices.");
     prm.add_parameter("Refinements",
                       refinements,
-                      "Uniform refinements of this body alone.",
+                      "Uniform refinements of this body alone, before the "
+                      "bodies are joined: its cells become coarse cells, which "
+                      "every rank holds. For large meshes prefer "
+                      "'Mesh/Global refinements'.",
                       Patterns::Integer(0, 12));
 
     prm.add_parameter("Scale",
@@ -101,7 +104,7 @@ namespace stickslip
     prm.add_parameter("Keep manifolds",
                       keeps_manifolds,
                       "Curved boundaries of generated bodies stay curved in "
-                      "global and adaptive refinement and in the geometry of "
+                      "global refinement and in the geometry of "
                       "higher-order elements.");
   }
 

@@ -9,8 +9,8 @@ namespace stickslip
     prm.add_parameter("Partitioner",
                       partitioner,
                       "How cells are distributed: p4est (along a space-filling "
-                      "curve; the mesh can be refined adaptively) or METIS "
-                      "(graph partitioning; the mesh stays as it is).",
+                      "curve) or METIS "
+                      "(graph partitioning).",
                       Patterns::Selection("p4est|METIS"));
     prm.add_parameter("Global refinements",
                       global_refinements,

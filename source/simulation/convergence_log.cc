@@ -8,7 +8,16 @@ namespace stickslip
                                  const MPI_Comm    &communicator)
   {
     if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      file.open(directory + "/convergence.log", std::ios::app);
+      name = directory + "/convergence.log";
+  }
+
+
+
+  void
+  ConvergenceLog::open(const bool go_on)
+  {
+    if (!name.empty())
+      file.open(name, go_on ? std::ios::app : std::ios::trunc);
   }
 
 

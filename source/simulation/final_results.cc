@@ -42,7 +42,8 @@ namespace stickslip
         number << std::setprecision(6)
                << (std::abs(value) < roundoff * largest[families[i]] ? 0.
                                                                      : value);
-        out << std::left << std::setw(32) << name << number.str() << '\n';
+        out << std::left << std::setw(39) << name << ' ' << number.str()
+            << '\n';
       }
   }
 } // namespace stickslip

@@ -1,4 +1,5 @@
 #include <stickslip/base/no_convergence.h>
+#include <stickslip/base/user_error.h>
 
 #include <stickslip/contact/contact_results.h>
 
@@ -6,6 +7,7 @@
 
 #include <stickslip/simulation/checkpoint.h>
 #include <stickslip/simulation/checkpoint_directory.h>
+#include <stickslip/simulation/failure_report.h>
 #include <stickslip/simulation/final_results.h>
 #include <stickslip/simulation/simulation.h>
 
@@ -60,6 +62,7 @@ namespace stickslip
   unsigned int
   Simulation<dim>::run(const std::string &restart_from)
   {
+    log.open(!restart_from.empty());
     if (!restart_from.empty())
       resume(restart_from);
     while (!load_stepping.finished())
@@ -188,8 +191,7 @@ namespace stickslip
     ++n_cuts;
     failed.newton_iterations += problem.counts.newton_iterations;
     const std::string contact = describe_contact(problem.contact());
-    const std::string reason  = failure.what();
-    log.note("step failed: " + reason + "\n" + contact);
+    log.note("step failed: " + std::string(failure.what()) + "\n" + contact);
     problem.restore();
     x                  = accepted;
     const double tried = load_stepping.propose_step();
@@ -199,20 +201,19 @@ namespace stickslip
       }
     catch (const NoConvergence &last)
       {
-        write_checkpoint();
+        std::string state = "Continue it with --restart latest.";
+        try
+          {
+            write_checkpoint();
+          }
+        catch (const UserError &error)
+          {
+            state = error.what();
+          }
         throw NoConvergence(
-          last.what(),
-          "\nThe contact points when it failed:\n" + contact +
-            "The last accepted state, t = " +
-            std::to_string(load_stepping.time()) + ", is in '" +
-            parameters.output.directory +
-            "' (continue with --restart latest); all iterations are in "
-            "convergence.log.\nTry: another 'Algorithm/Name' (PNM or FPM where "
-            "GNM cycles), a smaller 'Load stepping/Initial step', 'Normals = "
-            "smoothed' where points hop between master facets, "
-            "'Algorithm/Newton/Line search = backtracking'.");
+          failure_report(last.what(), contact, load_stepping.time(), state));
       }
-    progress.rejected_step(tried, reason, load_stepping.step_size());
+    progress.rejected_step(tried, failure.what(), load_stepping.step_size());
   }
 
 
@@ -385,11 +386,10 @@ namespace stickslip
         }
     results.add("work", "external_work", external_work);
     results.add("work", "friction_work", friction_work);
-
-    unsigned int       n_failed = 0;
     std::ostringstream text;
     results.print(text);
-    n_failed = evaluate_checks(parameters.checks, results.values(), text);
+    const unsigned int n_failed =
+      evaluate_checks(parameters.checks, results.values(), text);
     if (progress.prints_results())
       std::cout << text.str() << std::flush;
     return n_failed;

@@ -68,12 +68,12 @@ namespace stickslip
       "Largest relative change of displacements and multipliers in the last "
       "iteration (the further terms of eq. 26).",
       Patterns::Double(0.));
-    prm.add_parameter(
-      "Line search",
-      line_search,
-      "none: full steps. backtracking: the step is halved while "
-      "the residual grows.",
-      Patterns::Selection("none|backtracking"));
+    prm.add_parameter("Line search",
+                      line_search,
+                      "none: full steps (halved only if a cell would invert). "
+                      "backtracking: the step is halved while "
+                      "the residual grows.",
+                      Patterns::Selection("none|backtracking"));
     prm.add_parameter("Max halvings",
                       max_halvings,
                       "How often a step is halved by the line search, or "

@@ -23,19 +23,24 @@ namespace stickslip
 
 
   void
-  LoopParameters::add_parameters(ParameterHandler &prm, const std::string &what)
+  LoopParameters::add_parameters(ParameterHandler  &prm,
+                                 const std::string &what,
+                                 const std::string &change)
   {
     prm.add_parameter("Treatment",
                       treatment,
-                      "With 'Name = custom': newton recomputes the " + what +
-                        " in every residual and linearizes it; fixed point "
-                        "freezes it during Newton and refreshes it in a loop.",
+                      "Only with 'Name = custom'. newton: the " + what +
+                        " is recomputed in every residual and linearized. "
+                        "fixed point: it is frozen during Newton and refreshed "
+                        "in a loop.",
                       Patterns::Selection("newton|fixed point"));
-    prm.add_parameter("Tolerance",
-                      tolerance,
-                      "Largest relative change of the " + what +
-                        " at which its fixed-point loop has converged.",
-                      Patterns::Double(0.));
+    prm.add_parameter(
+      "Tolerance",
+      tolerance,
+      "The fixed-point loop has converged when its change is at "
+      "most this: " +
+        change + ".",
+      Patterns::Double(0.));
     prm.add_parameter("Max iterations",
                       max_iterations,
                       "Largest number of passes of its fixed-point loop.",
@@ -62,13 +67,22 @@ namespace stickslip
       "quadratically. quasi: without the second variations (paper, 3.2.4).",
       Patterns::Selection("consistent|quasi"));
     prm.enter_subsection("Geometry");
-    geometry.add_parameters(prm, "contact geometry (Res(geom))");
+    geometry.add_parameters(
+      prm,
+      "contact geometry",
+      "largest displacement change since the last refresh "
+      "over the largest displacement (Res(geom))");
     prm.leave_subsection();
     prm.enter_subsection("Threshold");
-    threshold.add_parameters(prm, "friction threshold (Res(seuil))");
+    threshold.add_parameters(prm,
+                             "friction threshold",
+                             "largest change of a threshold over the largest "
+                             "threshold (Res(seuil))");
     prm.leave_subsection();
     prm.enter_subsection("Status");
-    status.add_parameters(prm, "number of points that change contact status");
+    status.add_parameters(prm,
+                          "contact status",
+                          "number of points that opened or closed");
     prm.leave_subsection();
     prm.enter_subsection("Newton");
     newton.add_parameters(prm);

@@ -18,6 +18,11 @@ namespace stickslip
     NoConvergence(const std::string &where, const std::string &why)
       : std::runtime_error(where + ": " + why)
     {}
+
+    /// The same failure with more to say.
+    explicit NoConvergence(const std::string &text)
+      : std::runtime_error(text)
+    {}
   };
 } // namespace stickslip
 

@@ -58,7 +58,7 @@ namespace stickslip
     void
     check(const std::string &path) const;
 
-    /// Fields are written for the initial state and each n-th accepted step.
+    /// Fields are written for each n-th accepted step (and for the last).
     bool
     is_written(const unsigned int step) const
     {

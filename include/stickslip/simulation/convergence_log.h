@@ -20,6 +20,10 @@ namespace stickslip
   public:
     ConvergenceLog(const std::string &directory, const MPI_Comm &communicator);
 
+    /// Opens the file, to go on in it after a restart or to begin anew.
+    void
+    open(const bool go_on);
+
     void
     begin_step(const unsigned int step, const double time, const double size);
 
@@ -38,6 +42,7 @@ namespace stickslip
     note(const std::string &text);
 
   private:
+    std::string   name; ///< empty except on rank 0
     std::ofstream file; ///< open on rank 0 only
   };
 } // namespace stickslip

@@ -19,7 +19,9 @@ namespace stickslip
     unsigned int max_iterations = 20;
 
     void
-    add_parameters(ParameterHandler &prm, const std::string &what);
+    add_parameters(ParameterHandler  &prm,
+                   const std::string &what,
+                   const std::string &change);
   };
 
 
