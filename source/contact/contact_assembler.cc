@@ -1,4 +1,5 @@
 #include <stickslip/contact/contact_assembler.h>
+#include <stickslip/contact/tangent_stabilization.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -371,6 +372,8 @@ namespace stickslip
       for (const auto &point : pair->points)
         {
           evaluate_point(*pair, point, linearize_geometry, true);
+          if (pair->parameters.has_friction())
+            assume_stick_before_first_pressure(point, scratch);
           const auto dofs = point_dofs(*pair, point);
           local.reinit(dofs.size());
           local_matrix.reinit(dofs.size(), dofs.size());
@@ -382,6 +385,7 @@ namespace stickslip
                         live.geometry && linearize_geometry &&
                           pair->parameters.normals == "smoothed",
                         local_matrix);
+          keep_undetermined_Lambda(element, scratch, local_matrix);
           constraints.distribute_local_to_global(
             local_matrix, local, dofs, matrix, rhs);
         }

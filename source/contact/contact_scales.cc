@@ -102,8 +102,9 @@ namespace stickslip
             r.r_t_status = unit_t * role_value(given.r_t_status, r_t);
             r.r_t_augmentation =
               unit_t * role_value(given.r_t_augmentation, r_t);
-            r.r_t_law    = unit_t * role_value(given.r_t_law, r_t);
-            r.open_scale = open_row_factor * s / r.r_t_law;
+            r.r_t_law           = unit_t * role_value(given.r_t_law, r_t);
+            r.initial_threshold = largest == 0. ? s : 0.;
+            r.open_scale        = open_row_factor * s / r.r_t_law;
           }
       }
   }

@@ -56,20 +56,23 @@ namespace stickslip
         marks[p].update_ghost_values();
       }
 
-    relevant = owned;
-    first_dofs.resize(keys.size());
+    // All nodes in sight: those of owned slave faces, and those that a periodic
+    // or hanging node of such a face is constrained to.
+    relevant  = owned;
     all_nodes = nodes;
+    first_dofs.resize(keys.size());
     for (const MultiplierNode &node : nodes)
       first_dofs[node.pair][node.key] = node.first_dof;
     for (unsigned int p = 0; p < keys.size(); ++p)
-      for (const auto key : keys[p])
-        {
-          const types::global_dof_index first =
-            static_cast<types::global_dof_index>(marks[p](key) - 0.5);
-          if (first_dofs[p].emplace(key, first).second)
-            all_nodes.push_back({p, key, first});
-          relevant.add_range(first, first + n_components[p]);
-        }
+      for (const auto key : relevant_displacements)
+        if (marks[p](key) > 0.)
+          {
+            const auto first =
+              static_cast<types::global_dof_index>(marks[p](key) - 0.5);
+            if (first_dofs[p].emplace(key, first).second)
+              all_nodes.push_back({p, key, first});
+            relevant.add_range(first, first + n_components[p]);
+          }
     relevant.compress();
   }
 

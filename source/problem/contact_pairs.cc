@@ -18,18 +18,18 @@ namespace stickslip
     std::vector<std::unique_ptr<ContactPair<dim>>> pairs;
     for (const auto &[name, pair] : parameters)
       {
-        const std::string path  = "Contact/" + name;
-        const auto        slave = bodies.global_boundary_ids(pair.slave_body,
-                                                      pair.slave_boundary,
-                                                      path + "/Slave boundary");
-        const auto        master =
-          bodies.global_boundary_ids(pair.master_body,
-                                     pair.master_boundary,
-                                     path + "/Master boundary");
+        const std::string  path = "Contact/" + name;
         const unsigned int slave_body =
           bodies.index_of(pair.slave_body, path + "/Slave body");
         const unsigned int master_body =
           bodies.index_of(pair.master_body, path + "/Master body");
+        const auto slave = bodies.global_boundary_ids(pair.slave_body,
+                                                      pair.slave_boundary,
+                                                      path + "/Slave boundary");
+        const auto master =
+          bodies.global_boundary_ids(pair.master_body,
+                                     pair.master_boundary,
+                                     path + "/Master boundary");
         if (bodies.bodies[slave_body].is_rigid &&
             bodies.bodies[master_body].is_rigid)
           throw UserError("'" + path + "': both bodies, '" + pair.slave_body +

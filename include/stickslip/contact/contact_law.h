@@ -14,7 +14,9 @@ namespace stickslip
     double r_t_status       = 1.; ///< r_t^{Sf} [1/length]
     double r_t_augmentation = 1.; ///< r_t^{A}
     double r_t_law          = 1.; ///< r_t^{Coul}
-    double open_scale       = 1.; ///< c of the open Lambda rows [stress length]
+    double initial_threshold =
+      0.;                   ///< assumed by the tangent while none has one
+    double open_scale = 1.; ///< c of the open Lambda rows [stress length]
   };
 
   /// Where the friction threshold s comes from.

@@ -54,7 +54,7 @@ namespace stickslip
       return owned;
     }
 
-    /// Owned ones and those of the locally owned slave faces.
+    /// Owned ones and those of all locally relevant nodes.
     const IndexSet &
     locally_relevant() const
     {
@@ -67,7 +67,7 @@ namespace stickslip
       return nodes;
     }
 
-    /// Owned ones and those of the locally owned slave faces.
+    /// Owned ones and those of all locally relevant nodes.
     const std::vector<MultiplierNode> &
     relevant_nodes() const
     {
