@@ -225,6 +225,10 @@ def test_failed_run(runs):
     check((runs.directory / "failed/checkpoint.latest").read_text() != before, "... and writes a checkpoint")
     runs.run("failed", 1, "latest")
     compare(runs, "failed")
+    shutil.copytree(runs.directory / "failed", runs.directory / "run anew")
+    runs.run("run anew", 1, options=["Load stepping/End time=2", "Output/Checkpoint every n steps=0"])
+    text = runs.run("run anew", 1, "latest", exit_code=1)
+    check("An earlier run has left 'run anew/checkpoint-" in text, "a new run does not pass an old checkpoint off as its own")
 
 
 def test_path_dependence(runs):

@@ -5,12 +5,12 @@
     surface["pressure"]               # (n,) or (n, components)
     x, p = surface.along_line("pressure")
 
-Needs the Debian package python3-vtk9. Lines and quadrilaterals, linear and
-quadratic (Lagrange).
+Needs the Debian package python3-vtk9. Quadrilaterals (linear, quadratic Lagrange)
+and the subdivided lines of contact surfaces.
 """
 import numpy
 
-VTK_LAGRANGE_CURVE = 68
+VTK_LINE = 3
 
 
 def _gauss(n):
@@ -120,9 +120,10 @@ def read_fields(path):
         # A mixed file has rigid or linear cells beside others: by number of nodes.
         raise SystemExit(f"{path} mixes cells of different kinds.")
     cells = cells.reshape(-1, sizes[0])
-    if grid.GetCellType(0) == VTK_LAGRANGE_CURVE and (numpy.sort(cells)[:, 1:] == numpy.sort(cells)[:, :-1]).any():
-        # deal.II 9.4 numbers the nodes of quadrilaterals and hexahedra only;
-        # the points are complete, in the order begin, middle, end.
-        first = numpy.arange(len(cells))[:, None] * sizes[0]
-        cells = first + numpy.array([0, sizes[0] - 1, *range(1, sizes[0] - 1)])
+    if grid.GetCellType(0) == VTK_LINE:
+        # A face of degree k is written as k lines with points of its own: one cell of degree k again.
+        n_faces = grid.GetNumberOfPoints() - len(cells)
+        degree = len(cells) // n_faces
+        first = numpy.arange(n_faces)[:, None] * (degree + 1)
+        cells = first + numpy.array([0, degree, *range(1, degree)])
     return Fields(vtk_to_numpy(grid.GetPoints().GetData()).astype(float), cells, fields)

@@ -260,7 +260,9 @@ namespace stickslip
     DataOutBase::VtkFlags flags;
     flags.compression_level   = decltype(flags.compression_level)::best_speed;
     flags.print_date_and_time = false;
-    flags.write_higher_order_cells = higher_order_cells && degree > 1;
+    // deal.II 9.4 has no node numbering of Lagrange curves: subdivided lines.
+    flags.write_higher_order_cells =
+      dim == 3 && higher_order_cells && degree > 1;
     patches.set_flags(flags);
     series.write(patches, step, time);
   }

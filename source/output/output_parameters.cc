@@ -54,7 +54,8 @@ namespace stickslip
                       higher_order_cells,
                       "Write displacements of degree 2 and more as curved "
                       "Lagrange cells (VTU; ParaView 5.5 or newer) instead of "
-                      "subdivided linear ones.");
+                      "subdivided linear ones. Contact surfaces of 2D bodies "
+                      "are always lines.");
     prm.add_parameter("Deformed",
                       deformed,
                       "Write the deformed grid. Otherwise warp the undeformed "

@@ -88,6 +88,15 @@ namespace stickslip
 
 
 
+  void
+  retire_checkpoints(const std::string &directory)
+  {
+    std::error_code error;
+    std::filesystem::remove(path_of_latest(directory), error);
+  }
+
+
+
   std::string
   find_checkpoint(const std::string &directory, std::string &error)
   {
@@ -96,9 +105,16 @@ namespace stickslip
       return directory;
     if (std::find(checkpoint_slots, checkpoint_slots + 2, slot) ==
         checkpoint_slots + 2)
-      error = "--restart: there is no checkpoint in '" + directory +
-              "'. A run writes them if 'Output/Checkpoint every n steps' is "
-              "set, and when a step fails for good.";
+      {
+        error = "--restart: there is no checkpoint in '" + directory +
+                "'. A run writes them if 'Output/Checkpoint every n steps' is "
+                "set, and when a step fails for good.";
+        for (const std::string &earlier : checkpoint_slots)
+          if (std::filesystem::exists(
+                path_of_description(directory + "/" + earlier)))
+            error += " An earlier run has left '" + directory + "/" + earlier +
+                     "', which --restart accepts, too.";
+      }
     return directory + "/" + slot;
   }
 

@@ -65,6 +65,8 @@ namespace stickslip
     log.open(!restart_from.empty());
     if (!restart_from.empty())
       resume(restart_from);
+    else if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      retire_checkpoints(parameters.output.directory);
     while (!load_stepping.finished())
       {
         const double time = load_stepping.propose_step();
@@ -101,11 +103,9 @@ namespace stickslip
     };
     newton.residual = [this](const LA::BlockVector &state) {
       const ResidualNorms norms = problem.residual(state);
-      NewtonIteration     iteration;
-      iteration.equilibrium = norms.equilibrium;
-      iteration.contact     = norms.contact;
-      iteration.prescribed  = norms.prescribed;
-      return iteration;
+      return NewtonIteration{norms.equilibrium,
+                             norms.contact,
+                             norms.prescribed};
     };
     newton.solve_increment = [this](const LA::BlockVector &state,
                                     LA::BlockVector       &increment) {

@@ -35,6 +35,11 @@ namespace stickslip
                    const std::string &description,
                    const unsigned int n_files);
 
+  /// Makes the checkpoints of an earlier run in @p directory the past:
+  /// "--restart latest" no longer means them, their directories still do.
+  void
+  retire_checkpoints(const std::string &directory);
+
   /// Path of the checkpoint that --restart @p directory means: the valid one
   /// below, or @p directory itself. Sets @p error if there is none.
   std::string
