@@ -29,6 +29,26 @@ namespace stickslip
 
 
   bool
+  NestedFixedPoint::solve_inside(const unsigned int level,
+                                 LA::BlockVector   &x,
+                                 std::string       &failure) const
+  {
+    try
+      {
+        return solve_level(level + 1, x, failure);
+      }
+    catch (const NoConvergence &inner)
+      {
+        if (!loops[level].outlives_inner_solver)
+          throw;
+        failure = inner.what();
+        return false;
+      }
+  }
+
+
+
+  bool
   NestedFixedPoint::solve_level(const unsigned int level,
                                 LA::BlockVector   &x,
                                 std::string       &failure) const
@@ -44,13 +64,14 @@ namespace stickslip
 
     loop.quantity->evaluate(x);
     loop.quantity->accept();
-    double change = 0.;
+    double change          = 0.;
+    bool   inner_converged = false;
     for (unsigned int pass = 1; pass <= loop.max_iterations; ++pass)
       {
         // An inner loop may run into its limit while this one is still far from
         // its fixed point (the first statuses cycle); only the last pass
         // counts.
-        const bool inner_converged = solve_level(level + 1, x, failure);
+        inner_converged = solve_inside(level, x, failure);
         loop.quantity->evaluate(x);
         change = loop.quantity->change();
         loop.quantity->accept();
@@ -63,6 +84,8 @@ namespace stickslip
     text << "the " << loop.quantity->name() << " loop did not settle in "
          << loop.max_iterations << " passes; last change " << change
          << " (tolerance " << loop.tolerance << ")";
+    if (!inner_converged)
+      text << "; inside its last pass: " << failure;
     failure = text.str();
     return false;
   }

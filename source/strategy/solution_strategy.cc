@@ -115,6 +115,9 @@ namespace stickslip
         loop.n_loops        = loop_counts[i];
         loops.push_back(loop);
       }
+    // With its first thresholds, far from the final ones, a live status may
+    // cycle in Newton for ever, as it does in the status loop of FPM.
+    loops[1].outlives_inner_solver = !loops[1].is_live && loops[2].is_live;
     return loops;
   }
 } // namespace stickslip

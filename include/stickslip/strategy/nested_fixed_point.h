@@ -16,7 +16,9 @@ namespace stickslip
     bool               is_live        = true; ///< left to the inner solver
     double             tolerance      = 0.;
     unsigned int       max_iterations = 1;
-    unsigned int      *n_loops        = nullptr; ///< counts the passes
+    /// Goes on when the inner solver fails, except in the last pass.
+    bool          outlives_inner_solver = false;
+    unsigned int *n_loops               = nullptr; ///< counts the passes
   };
 
   /**
@@ -46,6 +48,12 @@ namespace stickslip
     const std::vector<FixedPointLoop> loops;
     const InnerSolver                 solve_inner;
     const Report                      report;
+
+    /// One pass inside @p loop. Returns whether all inner loops converged.
+    bool
+    solve_inside(const unsigned int level,
+                 LA::BlockVector   &x,
+                 std::string       &failure) const;
 
     /// Returns whether this and all inner loops converged.
     bool
