@@ -8,14 +8,18 @@
 namespace stickslip
 {
   /**
-   * Finite elastoplasticity F = F^e F^p after Simo and Miehe, von Mises yield
-   * condition on the Kirchhoff stress, isotropic hardening:
+   * Finite elastoplasticity F = F^e F^p after Simo and Miehe (CMAME 98, 1992),
+   * von Mises yield condition on the Kirchhoff stress, isotropic hardening:
    *
-   *   tau = K/2 (J^2 - 1) I + mu dev(b),   b = J^(-2/3) F^e F^eT.
+   *   tau = K/2 (J^2 - 1) I + mu dev(b),   b = J^(-2/3) F^e F^eT,
+   *   -1/2 L_v(b^e) (b^e)^-1 = 3/2 p' dev(tau) / |tau|_vM.
    *
-   * Radial return with the trial b (Simo, CMAME 66, 1988, and 68), where
-   * mu tr(b)/3 takes the place of mu. The radial return alone would lose
-   * det b = 1; here the spherical part of the new b is the one that keeps it.
+   * The associated flow rule is integrated with the exponential map in the
+   * principal axes of the trial state: plastic flow conserves the volume
+   * exactly, and proportional loading is integrated exactly. (The radial return
+   * of Simo (CMAME 66, 1988) replaces b^e in the flow rule by tr(b^e)/3 I.
+   * That is the same for metals, whose elastic strains are small; with elastic
+   * strains of 30 % it converges to plastic strains that differ by 20 %.)
    *
    * History: the equivalent plastic strain, and (F^pT F^p)^-1 with determinant
    * 1, which lives in the undeformed body and so does not feel rotations.
@@ -35,7 +39,7 @@ namespace stickslip
     void
     initialize_history(const ArrayView<double> &history) const override;
 
-    /// Returns false if det F <= 0 or if no b with determinant 1 is found.
+    /// Returns false if det F <= 0 or if the return mapping finds no end state.
     bool
     evaluate(const Tensor<2, 3>            &F,
              const ArrayView<const double> &old_history,
@@ -48,6 +52,16 @@ namespace stickslip
 
     ElasticConstants   constants;
     IsotropicHardening hardening;
+
+  private:
+    /// For a trial state beyond the yield surface.
+    bool
+    evaluate_plastic(const Tensor<2, 3>            &F,
+                     const double                   J,
+                     const ArrayView<const double> &old_history,
+                     const ArrayView<double>       &new_history,
+                     Tensor<2, 3>                  &P,
+                     Tensor<4, 3>                  *dP_dF) const;
   };
 } // namespace stickslip
 
