@@ -1,8 +1,13 @@
 #include <stickslip/base/registry.h>
 
 #include <stickslip/solid/constitutive_law.h>
+#include <stickslip/solid/hencky.h>
+#include <stickslip/solid/hyperelastic.h>
 #include <stickslip/solid/linear_elastic.h>
+#include <stickslip/solid/neo_hookean.h>
 #include <stickslip/solid/saint_venant_kirchhoff.h>
+#include <stickslip/solid/simo_miehe.h>
+#include <stickslip/solid/small_strain_plasticity.h>
 
 namespace stickslip
 {
@@ -21,7 +26,31 @@ namespace stickslip
           "linear between Green-Lagrange strain and second Piola-Kirchhoff "
           "stress, for large rotations and moderate strains (in compression "
           "it softens below a stretch of 0.577)",
-          [] { return std::make_unique<SaintVenantKirchhoff>(); }}});
+          [] { return std::make_unique<SaintVenantKirchhoff>(); }},
+         {"neo-Hookean",
+          "compressible, P = mu (F - F^-T) + lambda ln J F^-T, for large "
+          "strains",
+          [] { return std::make_unique<NeoHookean>(); }},
+         {"hyperelastic",
+          "rubber with C10, C01, C20 and K/2 (J - 1)^2 (Mooney-Rivlin; "
+          "neo-Hookean with C10 alone), for large strains",
+          [] { return std::make_unique<Hyperelastic>(); }},
+         {"Hencky",
+          "linear between logarithmic strain and Kirchhoff stress, for large "
+          "strains",
+          [] { return std::make_unique<Hencky>(); }},
+         {"Hencky plasticity",
+          "von Mises with isotropic hardening, F = F^e F^p and logarithmic "
+          "elastic strains, for large strains",
+          [] { return std::make_unique<HenckyPlasticity>(); }},
+         {"Simo-Miehe plasticity",
+          "von Mises with isotropic hardening, F = F^e F^p and neo-Hookean "
+          "elastic response, for large strains",
+          [] { return std::make_unique<SimoMiehe>(); }},
+         {"small-strain plasticity",
+          "von Mises with isotropic and kinematic hardening, small strains; "
+          "large rotations with 'Strain measure = Green-Lagrange'",
+          [] { return std::make_unique<SmallStrainPlasticity>(); }}});
       return registry;
     }
   } // namespace

@@ -51,6 +51,14 @@ namespace stickslip
 
 
   double
+  ElasticConstants::bulk_modulus() const
+  {
+    return youngs_modulus / (3. * (1. - 2. * poissons_ratio));
+  }
+
+
+
+  double
   ElasticConstants::shear_modulus() const
   {
     return youngs_modulus / (2. * (1. + poissons_ratio));

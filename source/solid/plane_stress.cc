@@ -43,6 +43,7 @@ namespace stickslip
 
   PlaneStress::PlaneStress(const std::shared_ptr<ConstitutiveLaw> &law)
     : law(law)
+    , n_of_law(law->n_history_variables())
   {}
 
 
@@ -63,10 +64,12 @@ namespace stickslip
 
 
 
-  unsigned int
-  PlaneStress::n_history_variables() const
+  std::vector<std::string>
+  PlaneStress::history_names() const
   {
-    return law->n_history_variables() + 1;
+    std::vector<std::string> names = law->history_names();
+    names.push_back("out_of_plane_stretch");
+    return names;
   }
 
 
@@ -74,9 +77,8 @@ namespace stickslip
   void
   PlaneStress::initialize_history(const ArrayView<double> &history) const
   {
-    const unsigned int n = law->n_history_variables();
-    law->initialize_history(ArrayView<double>(history.data(), n));
-    history[n] = 1.;
+    law->initialize_history(ArrayView<double>(history.data(), n_of_law));
+    history[n_of_law] = 1.;
   }
 
 
@@ -88,9 +90,8 @@ namespace stickslip
                         Tensor<2, 3>                  &P,
                         Tensor<4, 3>                  *dP_dF) const
   {
-    const unsigned int            n = law->n_history_variables();
-    const ArrayView<const double> old_of_law(old_history.data(), n);
-    const ArrayView<double>       new_of_law(new_history.data(), n);
+    const ArrayView<const double> old_of_law(old_history.data(), n_of_law);
+    const ArrayView<double>       new_of_law(new_history.data(), n_of_law);
 
     // Rounding limits what can be asked for: stresses of the size of the
     // modulus cancel in P_33.
@@ -99,7 +100,7 @@ namespace stickslip
     const unsigned int max_iterations   = 50;
 
     Tensor<2, 3> F_full = F;
-    F_full[2][2]        = old_history[n];
+    F_full[2][2]        = old_history[n_of_law];
     Tensor<4, 3>  local_tangent;
     Tensor<4, 3> &A         = (dP_dF != nullptr ? *dP_dF : local_tangent);
     double        last_P_33 = std::numeric_limits<double>::max();
@@ -115,8 +116,8 @@ namespace stickslip
           std::abs(P_33) >= last_P_33 && std::abs(P_33) <= coarse_tolerance;
         if (slope > 0. && (std::abs(P_33) <= tolerance || stagnates))
           {
-            new_history[n] = F_full[2][2];
-            P[2][2]        = 0.;
+            new_history[n_of_law] = F_full[2][2];
+            P[2][2]               = 0.;
             if (dP_dF != nullptr)
               condense_out_of_plane(A);
             return true;
@@ -134,11 +135,10 @@ namespace stickslip
     const Tensor<2, 3>            &F,
     const ArrayView<const double> &history) const
   {
-    const unsigned int n      = law->n_history_variables();
-    Tensor<2, 3>       F_full = F;
-    F_full[2][2]              = history[n];
+    Tensor<2, 3> F_full = F;
+    F_full[2][2]        = history[n_of_law];
     return law->full_deformation_gradient(
-      F_full, ArrayView<const double>(history.data(), n));
+      F_full, ArrayView<const double>(history.data(), n_of_law));
   }
 
 

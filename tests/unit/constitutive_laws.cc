@@ -103,38 +103,6 @@ namespace
 
 
 
-  /// A law with another dependence on F_33, for the adaptor.
-  class NeoHookean : public LinearElastic
-  {
-  public:
-    bool
-    evaluate(const Tensor<2, 3> &F,
-             const ArrayView<const double> &,
-             const ArrayView<double> &,
-             Tensor<2, 3> &P,
-             Tensor<4, 3> *dP_dF) const override
-    {
-      if (determinant(F) <= 0.)
-        return false;
-      const double       lambda = constants.lame_lambda();
-      const double       mu     = constants.shear_modulus();
-      const double       log_J  = std::log(determinant(F));
-      const Tensor<2, 3> G      = transpose(invert(F));
-      P                         = mu * (F - G) + lambda * log_J * G;
-      if (dP_dF != nullptr)
-        for (unsigned int i = 0; i < 3; ++i)
-          for (unsigned int j = 0; j < 3; ++j)
-            for (unsigned int k = 0; k < 3; ++k)
-              for (unsigned int l = 0; l < 3; ++l)
-                (*dP_dF)[i][j][k][l] =
-                  (i == k && j == l ? mu : 0.) + lambda * G[i][j] * G[k][l] +
-                  (mu - lambda * log_J) * G[i][l] * G[k][j];
-      return true;
-    }
-  };
-
-
-
   void
   print(const std::string &what, const bool holds)
   {
@@ -156,10 +124,6 @@ namespace
         print(name + ", plane stress: tangent within 1e-6",
               tangent_error(plane_stress, 2) < 1e-6);
       }
-    print("neo-Hookean: tangent within 1e-6",
-          tangent_error(NeoHookean(), 3) < 1e-6);
-    print("neo-Hookean, plane stress: tangent within 1e-6",
-          tangent_error(PlaneStress(std::make_shared<NeoHookean>()), 2) < 1e-6);
   }
 
 

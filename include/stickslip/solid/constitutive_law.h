@@ -40,11 +40,22 @@ namespace stickslip
     virtual void
     check(const std::string &path) const = 0;
 
-    /// Number of doubles per point that the law remembers.
-    virtual unsigned int
+    /**
+     * The doubles per point that the law remembers, by the names that they
+     * have in the output: none by default. The same name means the same
+     * quantity in all laws.
+     */
+    virtual std::vector<std::string>
+    history_names() const
+    {
+      return {};
+    }
+
+    /// How many there are.
+    unsigned int
     n_history_variables() const
     {
-      return 0;
+      return history_names().size();
     }
 
     /// Writes the history of the virgin material.

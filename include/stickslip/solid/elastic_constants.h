@@ -27,6 +27,10 @@ namespace stickslip
     double
     lame_lambda() const;
 
+    /// K = E / (3 (1 - 2 nu))
+    double
+    bulk_modulus() const;
+
     /// mu = E / (2 (1 + nu))
     double
     shear_modulus() const;

@@ -28,8 +28,9 @@ namespace stickslip
     void
     check(const std::string &path) const override;
 
-    unsigned int
-    n_history_variables() const override;
+    /// Those of the law and "out_of_plane_stretch".
+    std::vector<std::string>
+    history_names() const override;
 
     void
     initialize_history(const ArrayView<double> &history) const override;
@@ -62,6 +63,7 @@ namespace stickslip
 
   private:
     const std::shared_ptr<ConstitutiveLaw> law;
+    const unsigned int                     n_of_law; ///< its history variables
   };
 } // namespace stickslip
 

@@ -1,0 +1,82 @@
+#ifndef stickslip_solid_hencky_h
+#define stickslip_solid_hencky_h
+
+#include <stickslip/solid/constitutive_law.h>
+#include <stickslip/solid/elastic_constants.h>
+#include <stickslip/solid/isotropic_hardening.h>
+
+namespace stickslip
+{
+  /**
+   * Hencky's elasticity: linear between the logarithmic strain
+   * e = 1/2 ln b and the Kirchhoff stress, tau = K tr(e) I + 2 mu dev(e). For
+   * large rotations and moderate to large strains.
+   */
+  class Hencky : public ConstitutiveLaw
+  {
+  public:
+    void
+    add_parameters(ParameterHandler &prm) override;
+
+    void
+    check(const std::string &path) const override;
+
+    /// Returns false if det F <= 0.
+    bool
+    evaluate(const Tensor<2, 3>            &F,
+             const ArrayView<const double> &old_history,
+             const ArrayView<double>       &new_history,
+             Tensor<2, 3>                  &P,
+             Tensor<4, 3>                  *dP_dF) const override;
+
+    /// The logarithmic strain 1/2 ln(F^T F).
+    SymmetricTensor<2, 3>
+    strain(const Tensor<2, 3> &F) const override;
+
+    double
+    longitudinal_modulus() const override;
+
+    ElasticConstants constants;
+  };
+
+
+
+  /**
+   * Finite elastoplasticity F = F^e F^p with Hencky's elasticity of F^e, von
+   * Mises yield condition on the Kirchhoff stress, isotropic hardening. The
+   * flow rule is integrated with the exponential map, so that the return
+   * mapping is the one of small strains in logarithmic strains, plastic flow
+   * conserves the volume exactly, and proportional loading is integrated
+   * exactly (Simo, CMAME 99, 1992).
+   *
+   * History: the equivalent plastic strain, and (F^pT F^p)^-1, which lives in
+   * the undeformed body and so does not feel rotations.
+   */
+  class HenckyPlasticity : public Hencky
+  {
+  public:
+    void
+    add_parameters(ParameterHandler &prm) override;
+
+    void
+    check(const std::string &path) const override;
+
+    std::vector<std::string>
+    history_names() const override;
+
+    void
+    initialize_history(const ArrayView<double> &history) const override;
+
+    /// Returns false if det F <= 0.
+    bool
+    evaluate(const Tensor<2, 3>            &F,
+             const ArrayView<const double> &old_history,
+             const ArrayView<double>       &new_history,
+             Tensor<2, 3>                  &P,
+             Tensor<4, 3>                  *dP_dF) const override;
+
+    IsotropicHardening hardening;
+  };
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,71 @@
+#ifndef stickslip_solid_small_strain_plasticity_h
+#define stickslip_solid_small_strain_plasticity_h
+
+#include <stickslip/solid/constitutive_law.h>
+#include <stickslip/solid/elastic_constants.h>
+#include <stickslip/solid/isotropic_hardening.h>
+
+namespace stickslip
+{
+  /**
+   * Von Mises plasticity with an additive split of the strain, isotropic
+   * hardening R(p) and Prager's kinematic hardening, separately or mixed:
+   *
+   *   |stress - X|_vM <= R(p),   X = C e_p,
+   *
+   * whose effect in a uniaxial test is the slope 3/2 C.
+   *
+   * With "small" strains it is for small rotations, too: P = stress(sym F - I).
+   * With "Green-Lagrange" strains the same relation is between Green-Lagrange
+   * strain and second Piola-Kirchhoff stress, P = F S(E): rotations may be
+   * large, strains have to stay small (some percent). For large strains take a
+   * law with a multiplicative split.
+   *
+   * History: the equivalent plastic strain and the plastic strain.
+   */
+  class SmallStrainPlasticity : public ConstitutiveLaw
+  {
+  public:
+    void
+    add_parameters(ParameterHandler &prm) override;
+
+    void
+    check(const std::string &path) const override;
+
+    std::vector<std::string>
+    history_names() const override;
+
+    /// Returns false if det F <= 0 with Green-Lagrange strains.
+    bool
+    evaluate(const Tensor<2, 3>            &F,
+             const ArrayView<const double> &old_history,
+             const ArrayView<double>       &new_history,
+             Tensor<2, 3>                  &P,
+             Tensor<4, 3>                  *dP_dF) const override;
+
+    SymmetricTensor<2, 3>
+    cauchy_stress(const Tensor<2, 3> &F, const Tensor<2, 3> &P) const override;
+
+    SymmetricTensor<2, 3>
+    strain(const Tensor<2, 3> &F) const override;
+
+    double
+    longitudinal_modulus() const override;
+
+    bool
+    is_geometrically_linear() const override;
+
+    ElasticConstants   constants;
+    IsotropicHardening hardening;
+    double             kinematic_modulus      = 0.;
+    std::string        kinematic_modulus_type = "slope";
+    std::string        strain_measure         = "small";
+
+  private:
+    /// Uniaxial slope of the kinematic hardening, as given or 3/2 C.
+    double
+    kinematic_slope() const;
+  };
+} // namespace stickslip
+
+#endif
