@@ -4,7 +4,7 @@
     restart_test.py PROGRAM WORKING_DIRECTORY
 
 A block is pressed on another and dragged over it with friction, so that the
-result depends on the path. Compared are the tables of all steps and every
+result depends on the path; beside them a third one is in plastic flow. Compared are the tables of all steps and every
 number of the checkpoint at the end (nodal values, multipliers, slip, pairing);
 on the same number of ranks also the Newton iterations, which show that the
 multipliers to start from are right.
@@ -30,6 +30,11 @@ subsection Bodies
     set Arguments = 6, 3 : 0.5, 1 : 2, 1.8 : true
     set Material = soft
   end
+  subsection metal
+    set Generator = subdivided_hyper_rectangle
+    set Arguments = 4, 3 : 5, 0 : 6, 1 : true
+    set Material = plastic
+  end
 end
 subsection Materials
   subsection soft
@@ -37,8 +42,26 @@ subsection Materials
     set Young's modulus = 100
     set Poisson's ratio = 0.3
   end
+  subsection plastic
+    set Law = Simo-Miehe plasticity
+    set Young's modulus = 100
+    set Poisson's ratio = 0.3
+    set Yield stress = 1
+    set Hardening = linear
+    set Hardening modulus = 20
+  end
 end
 subsection Boundary conditions
+  subsection base
+    set Body = metal
+    set Boundary = 2
+    set Value = 0; 0
+  end
+  subsection stamp
+    set Body = metal
+    set Boundary = 3
+    set Value = 0.04*max(t-2, 0) - 0.08*max(t-4, 0); -0.03*min(t, 5)
+  end
   subsection foundation
     set Body = lower
     set Boundary = 2

@@ -75,7 +75,7 @@ namespace stickslip
                           const Mapping<dim>        &mapping,
                           const DoFHandler<dim>     &dof_handler,
                           const LA::Vector          &displacement,
-                          const StressFunction<dim> &stresses)
+                          const MaterialFields<dim> &material)
   {
     const unsigned int    degree = dof_handler.get_fe().degree;
     const CellFields<dim> cell_fields(dof_handler.get_triangulation(), bodies);
@@ -89,15 +89,15 @@ namespace stickslip
       std::vector<std::string>(dim, "displacement"),
       std::vector<DataComponentInterpretation::DataComponentInterpretation>(
         dim, DataComponentInterpretation::component_is_part_of_vector));
-    if (stresses)
+    if (material.evaluate)
       {
         projection = std::make_unique<StressProjection<dim>>(mapping,
                                                              dof_handler,
-                                                             stresses);
+                                                             material);
         data_out.add_data_vector(projection->get_dof_handler(),
                                  projection->get_values(),
-                                 StressProjection<dim>::names(),
-                                 StressProjection<dim>::interpretations());
+                                 projection->names(),
+                                 projection->interpretations());
       }
     cell_fields.attach_to(data_out);
 

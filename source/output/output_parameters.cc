@@ -11,6 +11,13 @@ namespace stickslip
                       position,
                       "Coordinates of the point in the undeformed body, one "
                       "per dimension, separated by commas.");
+    prm.add_parameter("Material state",
+                      material_state,
+                      "Record Cauchy stress and history variables (equivalent "
+                      "plastic strain, ...) of the nearest quadrature point of "
+                      "the cell, too: NAME.cauchy_stress_xx, "
+                      "NAME.equivalent_plastic_strain, ...",
+                      dealii::Patterns::Bool());
   }
 
 

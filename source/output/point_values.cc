@@ -2,9 +2,11 @@
 #include <stickslip/output/point_values.h>
 
 #include <deal.II/base/geometry_info.h>
+#include <deal.II/base/quadrature_lib.h>
 
 #include <deal.II/grid/cell_id.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <sstream>
@@ -70,6 +72,7 @@ namespace stickslip
         named_point.body = bodies.index_of(point.body, path + "/Body");
         for (unsigned int d = 0; d < dim; ++d)
           named_point.position[d] = point.position[d];
+        named_point.material_state = point.material_state;
         points.push_back(named_point);
       }
   }
@@ -195,6 +198,76 @@ namespace stickslip
 
   template <int dim>
   void
+  PointValues<dim>::add_material_state(const unsigned int         p,
+                                       const FiniteElement<dim>  &element,
+                                       const MaterialFields<dim> &material,
+                                       std::vector<NamedValue>   &values) const
+  {
+    constexpr std::array<const char *, 6> components{
+      {"xx", "yy", "zz", "xy", "xz", "yz"}};
+    const unsigned int  n_stresses = dim == 2 ? 4 : 6;
+    std::vector<double> state(n_stresses + material.history_names.size(), 0.);
+    if (locations[p].cell.state() == IteratorState::valid)
+      {
+        const auto         cell_values = material.evaluate(locations[p].cell);
+        const QGauss<dim>  quadrature(element.degree + 1);
+        const auto        &places = quadrature.get_points();
+        const unsigned int q =
+          std::min_element(places.begin(),
+                           places.end(),
+                           [&](const Point<dim> &a, const Point<dim> &b) {
+                             return a.distance(locations[p].unit_point) <
+                                    b.distance(locations[p].unit_point);
+                           }) -
+          places.begin();
+        if (!cell_values.cauchy_stress.empty())
+          {
+            for (unsigned int c = 0; c < n_stresses; ++c)
+              state[c] = cell_values.cauchy_stress[q].access_raw_entry(c);
+            std::copy(cell_values.history[q].begin(),
+                      cell_values.history[q].end(),
+                      state.begin() + n_stresses);
+          }
+      }
+    Utilities::MPI::sum(state, communicator, state);
+    for (unsigned int c = 0; c < state.size(); ++c)
+      if (c < n_stresses)
+        values.push_back({"stress",
+                          points[p].name + ".cauchy_stress_" + components[c],
+                          state[c]});
+      else
+        values.push_back(
+          {"history",
+           points[p].name + "." + material.history_names[c - n_stresses],
+           state[c]});
+  }
+
+
+
+  template <int dim>
+  std::vector<typename PointValues<dim>::NamedValue>
+  PointValues<dim>::named_values(const DoFHandler<dim>     &dof_handler,
+                                 const LA::Vector          &displacement,
+                                 const MaterialFields<dim> &material) const
+  {
+    constexpr std::array<const char *, 3> axis{{"_x", "_y", "_z"}};
+    const std::vector<Tensor<1, dim>>     displacements =
+      evaluate(dof_handler, displacement);
+    std::vector<NamedValue> values;
+    for (unsigned int p = 0; p < points.size(); ++p)
+      for (unsigned int d = 0; d < dim; ++d)
+        values.push_back(
+          {"displacement", points[p].name + axis[d], displacements[p][d]});
+    for (unsigned int p = 0; p < points.size(); ++p)
+      if (points[p].material_state)
+        add_material_state(p, dof_handler.get_fe(), material, values);
+    return values;
+  }
+
+
+
+  template <int dim>
+  void
   PointValues<dim>::resume(const double time)
   {
     table.resume(time);
@@ -204,22 +277,19 @@ namespace stickslip
 
   template <int dim>
   void
-  PointValues<dim>::write(const unsigned int     step,
-                          const double           time,
-                          const DoFHandler<dim> &dof_handler,
-                          const LA::Vector      &displacement)
+  PointValues<dim>::write(const unsigned int         step,
+                          const double               time,
+                          const DoFHandler<dim>     &dof_handler,
+                          const LA::Vector          &displacement,
+                          const MaterialFields<dim> &material)
   {
     if (points.empty())
       return;
-
-    constexpr std::array<const char *, 3> axis{{"_x", "_y", "_z"}};
-    const std::vector<Tensor<1, dim>>     values =
-      evaluate(dof_handler, displacement);
     table.add("step", step);
     table.add("time", time);
-    for (unsigned int p = 0; p < points.size(); ++p)
-      for (unsigned int d = 0; d < dim; ++d)
-        table.add(points[p].name + axis[d], values[p][d]);
+    for (const NamedValue &result :
+         named_values(dof_handler, displacement, material))
+      table.add(result.name, result.value);
     table.finish_row();
   }
 

@@ -14,8 +14,6 @@ namespace stickslip
 {
   namespace
   {
-    using TensorValues = std::vector<SymmetricTensor<2, 3>>;
-
     /// (int N_i N_j)^-1 int N_j q: nodal values of the projection on one cell.
     template <int dim>
     FullMatrix<double>
@@ -38,15 +36,42 @@ namespace stickslip
       return projection;
     }
 
-    SymmetricTensor<2, 3>
+    /// Value at a node from those at the points, which are numbers, tensors or
+    /// (by @p value_at) a member of something.
+    template <typename Result, typename ValueAt>
+    Result
     apply_row(const FullMatrix<double> &projection,
               const unsigned int        node,
-              const TensorValues       &values)
+              const ValueAt            &value_at)
     {
-      AssertDimension(values.size(), projection.n());
-      SymmetricTensor<2, 3> result;
-      for (unsigned int q = 0; q < values.size(); ++q)
-        result += projection(node, q) * values[q];
+      Result result = Result();
+      for (unsigned int q = 0; q < projection.n(); ++q)
+        result += projection(node, q) * value_at(q);
+      return result;
+    }
+
+
+
+    /// All components of a node: those of stress and strain, then the history.
+    template <int dim, typename Components>
+    std::vector<double>
+    node_components(const FullMatrix<double>                   &projection,
+                    const unsigned int                          node,
+                    const typename MaterialFields<dim>::Values &values,
+                    const Components                           &components)
+    {
+      AssertDimension(values.cauchy_stress.size(), projection.n());
+      const auto tensor = [&](const std::vector<SymmetricTensor<2, 3>> &list) {
+        return apply_row<SymmetricTensor<2, 3>>(
+          projection, node, [&](const unsigned int q) { return list[q]; });
+      };
+      std::vector<double> result =
+        components(tensor(values.cauchy_stress), tensor(values.strain));
+      for (unsigned int h = 0; h < values.history[0].size(); ++h)
+        result.push_back(
+          apply_row<double>(projection, node, [&](const unsigned int q) {
+            return values.history[q][h];
+          }));
       return result;
     }
   } // namespace
@@ -65,8 +90,9 @@ namespace stickslip
   StressProjection<dim>::StressProjection(
     const Mapping<dim>        &mapping,
     const DoFHandler<dim>     &displacement_dof_handler,
-    const StressFunction<dim> &stresses)
-    : dof_handler(displacement_dof_handler.get_triangulation())
+    const MaterialFields<dim> &material)
+    : history_names(material.history_names)
+    , dof_handler(displacement_dof_handler.get_triangulation())
   {
     const FE_DGQ<dim> scalar_element(1);
     dof_handler.distribute_dofs(FESystem<dim>(scalar_element, names().size()));
@@ -80,14 +106,11 @@ namespace stickslip
                             quadrature,
                             update_values | update_JxW_values);
 
-    TensorValues                         stress, strain;
     std::vector<types::global_dof_index> dof_indices(element.n_dofs_per_cell());
     for (const auto &cell : displacement_dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          stress.clear();
-          strain.clear();
-          stresses(cell, stress, strain);
+          const auto cell_values = material.evaluate(cell);
 
           fe_values.reinit(typename Triangulation<dim>::cell_iterator(cell));
           const FullMatrix<double> projection =
@@ -102,10 +125,12 @@ namespace stickslip
           for (unsigned int node = 0; node < projection.m(); ++node)
             {
               const std::vector<double> node_values =
-                stress.empty()
+                cell_values.cauchy_stress.empty()
                   ? std::vector<double>(names().size(), 0.)
-                  : components(apply_row(projection, node, stress),
-                               apply_row(projection, node, strain));
+                  : node_components<dim>(projection,
+                                         node,
+                                         cell_values,
+                                         &components);
               for (unsigned int c = 0; c < node_values.size(); ++c)
                 values(
                   dof_indices[element.component_to_system_index(c, node)]) =
@@ -137,7 +162,7 @@ namespace stickslip
 
   template <int dim>
   std::vector<std::string>
-  StressProjection<dim>::names()
+  StressProjection<dim>::names() const
   {
     std::vector<std::string> result(dim * dim, "cauchy_stress");
     result.insert(result.end(), dim * dim, "strain");
@@ -147,6 +172,7 @@ namespace stickslip
         result.push_back("cauchy_stress_zz");
         result.push_back("strain_zz");
       }
+    result.insert(result.end(), history_names.begin(), history_names.end());
     return result;
   }
 
@@ -154,7 +180,7 @@ namespace stickslip
 
   template <int dim>
   std::vector<DataComponentInterpretation::DataComponentInterpretation>
-  StressProjection<dim>::interpretations()
+  StressProjection<dim>::interpretations() const
   {
     std::vector<DataComponentInterpretation::DataComponentInterpretation>
       result(names().size(), DataComponentInterpretation::component_is_scalar);

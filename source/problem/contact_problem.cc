@@ -31,13 +31,13 @@ namespace stickslip
     , quasi_tangent(quasi_tangent)
     , boundary_conditions(conditions, mesh.bodies)
   {
-    solid_assembler =
-      std::make_unique<SolidAssembler<dim>>(dofs.mapping,
-                                            dofs.dof_handler,
-                                            mesh.bodies,
-                                            laws_of_regions(materials,
-                                                            mesh.bodies),
-                                            boundary_conditions);
+    solid_assembler = std::make_unique<SolidAssembler<dim>>(
+      dofs.mapping,
+      dofs.dof_handler,
+      mesh.bodies,
+      laws_of_regions(materials, mesh.bodies),
+      boundary_conditions,
+      mean_dilatation_of_regions(materials, mesh.bodies));
     const auto modulus_of = [&](const types::material_id material) {
       return mesh.bodies.bodies[mesh.bodies.body_of(material)].is_rigid
                ? std::numeric_limits<double>::infinity()

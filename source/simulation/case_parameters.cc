@@ -126,7 +126,7 @@ namespace stickslip
     mesh.check("Mesh");
     check_named_list("Bodies", bodies);
     for (const auto &[name, material] : materials)
-      material.check("Materials/" + name, dimension);
+      material.check("Materials/" + name, dimension, degree);
     check_named_list("Boundary conditions", boundary_conditions);
     check_named_list("Contact", contact_pairs);
     load_stepping.check("Load stepping");

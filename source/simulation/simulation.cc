@@ -223,38 +223,26 @@ namespace stickslip
   Simulation<dim>::write_results(
     const std::vector<ContactFaceResult<dim>> &faces)
   {
-    const unsigned int step = load_stepping.step_number();
-    const double       time = load_stepping.time();
+    const unsigned int        step = load_stepping.step_number();
+    const double              time = load_stepping.time();
+    const MaterialFields<dim> material =
+      material_fields(problem.solid(), problem.ghosted_displacement());
     if (parameters.output.is_written(step) || load_stepping.finished())
       {
-        const StressFunction<dim> stresses =
-          [this](const auto                         &cell,
-                 std::vector<SymmetricTensor<2, 3>> &stress,
-                 std::vector<SymmetricTensor<2, 3>> &strain) {
-            std::vector<typename SolidAssembler<dim>::PointState> states;
-            problem.solid().evaluate_point_states(
-              cell, problem.ghosted_displacement(), states);
-            stress.clear();
-            strain.clear();
-            for (const auto &state : states)
-              {
-                stress.push_back(state.cauchy_stress);
-                strain.push_back(state.strain);
-              }
-          };
         field_output.write(step,
                            time,
                            problem.layout().mapping,
                            problem.layout().dof_handler,
                            problem.ghosted_displacement(),
-                           stresses);
+                           material);
         if (!parameters.contact_pairs.empty())
           contact_output.write(step, time, faces);
       }
     point_values.write(step,
                        time,
                        problem.layout().dof_handler,
-                       problem.ghosted_displacement());
+                       problem.ghosted_displacement(),
+                       material);
     if (parameters.output.checkpoint_interval > 0 &&
         step % parameters.output.checkpoint_interval == 0)
       write_checkpoint();
@@ -357,14 +345,11 @@ namespace stickslip
   Simulation<dim>::report_final_results()
   {
     FinalResults results;
-    const auto   displacements =
-      point_values.evaluate(problem.layout().dof_handler,
-                            problem.ghosted_displacement());
-    for (unsigned int i = 0; i < displacements.size(); ++i)
-      for (unsigned int c = 0; c < dim; ++c)
-        results.add("displacement",
-                    parameters.output.points[i].first + "_" + "xyz"[c],
-                    displacements[i][c]);
+    for (const auto &result : point_values.named_values(
+           problem.layout().dof_handler,
+           problem.ghosted_displacement(),
+           material_fields(problem.solid(), problem.ghosted_displacement())))
+      results.add(result.family, result.name, result.value);
     const auto resultants =
       compute_contact_resultants(contact_results(problem.contact()),
                                  parameters.contact_pairs.size(),

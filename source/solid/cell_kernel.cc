@@ -14,6 +14,9 @@ namespace stickslip
     , nodal_displacements(fe.n_dofs_per_cell())
     , gradients(fe.n_dofs_per_cell())
     , stiffness(fe.n_dofs_per_cell() * fe.n_dofs_per_cell())
+    , mean_derivative(fe.n_dofs_per_cell())
+    , mean_column(fe.n_dofs_per_cell())
+    , mean_row(fe.n_dofs_per_cell())
   {
     AssertDimension(fe.n_dofs_per_cell(), dim * n_nodes);
     for (unsigned int a = 0; a < n_nodes; ++a)
@@ -143,6 +146,89 @@ namespace stickslip
                 for (unsigned int L = 0; L < dim; ++L)
                   block[b] += G_A[L] * G[L * n + b];
             }
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  ElementArrays<dim>::clear_mean_dilatation()
+  {
+    std::fill(mean_derivative.begin(), mean_derivative.end(), 0.);
+    std::fill(mean_column.begin(), mean_column.end(), 0.);
+    std::fill(mean_row.begin(), mean_row.end(), 0.);
+    mean_square = 0.;
+  }
+
+
+
+  template <int dim>
+  void
+  ElementArrays<dim>::add_contracted(const Tensor<2, 3>  &X,
+                                     const double         weight,
+                                     std::vector<double> &vector) const
+  {
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          double sum = 0.;
+          for (unsigned int J = 0; J < dim; ++J)
+            sum += X[i][J] * gradients[J * n_nodes + a];
+          vector[a * dim + i] += sum * weight;
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  ElementArrays<dim>::add_to_mean_dilatation(const Tensor<2, 3> &X,
+                                             const double        weight)
+  {
+    add_contracted(X, weight, mean_derivative);
+  }
+
+
+
+  template <int dim>
+  void
+  ElementArrays<dim>::add_mean_pressure(const double p, const double JxW)
+  {
+    for (unsigned int n = 0; n < mean_derivative.size(); ++n)
+      internal(dof_of_node[n]) += p * JxW * mean_derivative[n];
+  }
+
+
+
+  template <int dim>
+  void
+  ElementArrays<dim>::add_mean_dilatation_response(const Tensor<2, 3> &column,
+                                                   const Tensor<2, 3> &row,
+                                                   const double        square,
+                                                   const double        JxW)
+  {
+    add_contracted(column, JxW, mean_column);
+    add_contracted(row, JxW, mean_row);
+    mean_square += square * JxW;
+  }
+
+
+
+  template <int dim>
+  void
+  ElementArrays<dim>::add_mean_dilatation_tangent()
+  {
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          const double m   = mean_derivative[a * dim + i];
+          const double c   = mean_column[a * dim + i] + mean_square * m;
+          double      *row = stiffness_row(a, i);
+          for (unsigned int k = 0; k < dim; ++k)
+            for (unsigned int b = 0; b < n_nodes; ++b)
+              row[k * n_nodes + b] +=
+                c * mean_derivative[b * dim + k] + m * mean_row[b * dim + k];
         }
   }
 

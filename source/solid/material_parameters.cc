@@ -3,7 +3,6 @@
 #include <stickslip/solid/material_parameters.h>
 #include <stickslip/solid/plane_stress.h>
 
-#include <algorithm>
 
 namespace stickslip
 {
@@ -36,6 +35,15 @@ namespace stickslip
                       "In 2D: no stress normal to the plane, instead of no "
                       "strain.",
                       Patterns::Bool());
+    prm.add_parameter(
+      "Element",
+      element,
+      "standard: the law sees the deformation of each quadrature point; with "
+      "Degree 1 this locks in plastic flow and for Poisson's ratios close to "
+      "0.5. F-bar: it sees the mean change of volume of the cell, for laws of "
+      "large strains. B-bar: the same for laws of small strains. Both are for "
+      "Degree 1; Degree 2 hardly locks.",
+      Patterns::Selection("standard|F-bar|B-bar"));
     law_object->add_parameters(prm);
   }
 
@@ -43,13 +51,39 @@ namespace stickslip
 
   void
   MaterialParameters::check(const std::string &path,
-                            const unsigned int dim) const
+                            const unsigned int dim,
+                            const unsigned int degree) const
   {
     Assert(law_object, ExcMessage("choose_law() goes first."));
     if (plane_stress && dim != 2)
       throw UserError(path + "/Plane stress is true, but Dimension is " +
                       std::to_string(dim) + ": plane stress is for 2.");
     law_object->check(path);
+    check_element(path, degree);
+  }
+
+
+
+  void
+  MaterialParameters::check_element(const std::string &path,
+                                    const unsigned int degree) const
+  {
+    if (element == "standard")
+      return;
+    const std::string found = path + "/Element is " + element + ", but ";
+    if (degree != 1)
+      throw UserError(found + "Degree is " + std::to_string(degree) +
+                      ": this element is for 1. Take standard.");
+    if (plane_stress)
+      throw UserError(found +
+                      "Plane stress is true: there the thickness "
+                      "follows and nothing locks. Take standard.");
+    const std::string fitting =
+      law_object->is_geometrically_linear() ? "B-bar" : "F-bar";
+    if (element != fitting)
+      throw UserError(found + "the law '" + law + "' is one of " +
+                      (fitting == "B-bar" ? "small" : "large") +
+                      " strains. Take " + fitting + ".");
   }
 
 
@@ -65,37 +99,59 @@ namespace stickslip
 
 
 
+  namespace
+  {
+    /// The material of a region, or a null pointer for rigid bodies without.
+    const MaterialParameters *
+    material_of(const Region                        &region,
+                const NamedList<MaterialParameters> &materials,
+                const Bodies                        &bodies)
+    {
+      const Body &body = bodies.bodies[region.body];
+      if (body.is_rigid && region.material.empty())
+        return nullptr;
+      std::string known;
+      for (const auto &[name, material] : materials)
+        {
+          if (name == region.material)
+            return &material;
+          known += (known.empty() ? "'" : ", '") + name + "'";
+        }
+      throw UserError("Bodies/" + body.name + "/Material: '" + region.material +
+                      "' is not in the section Materials. Known there: " +
+                      (known.empty() ? "none" : known) + ".");
+    }
+  } // namespace
+
+
+
   std::vector<std::shared_ptr<const ConstitutiveLaw>>
   laws_of_regions(const NamedList<MaterialParameters> &materials,
                   const Bodies                        &bodies)
   {
-    std::string known;
-    for (const auto &material : materials)
-      known += (known.empty() ? "'" : ", '") + material.first + "'";
-
     std::vector<std::shared_ptr<const ConstitutiveLaw>> laws;
     for (const Region &region : bodies.regions)
       {
-        const Body &body = bodies.bodies[region.body];
-        if (body.is_rigid && region.material.empty())
-          {
-            laws.push_back(nullptr);
-            continue;
-          }
-
-        const auto material =
-          std::find_if(materials.begin(),
-                       materials.end(),
-                       [&region](const auto &named) {
-                         return named.first == region.material;
-                       });
-        if (material == materials.end())
-          throw UserError("Bodies/" + body.name + "/Material: '" +
-                          region.material +
-                          "' is not in the section Materials. Known there: " +
-                          (known.empty() ? "none" : known) + ".");
-        laws.push_back(material->second.constitutive_law());
+        const MaterialParameters *material =
+          material_of(region, materials, bodies);
+        laws.push_back(material ? material->constitutive_law() : nullptr);
       }
     return laws;
+  }
+
+
+
+  std::vector<bool>
+  mean_dilatation_of_regions(const NamedList<MaterialParameters> &materials,
+                             const Bodies                        &bodies)
+  {
+    std::vector<bool> result;
+    for (const Region &region : bodies.regions)
+      {
+        const MaterialParameters *material =
+          material_of(region, materials, bodies);
+        result.push_back(material && material->element != "standard");
+      }
+    return result;
   }
 } // namespace stickslip

@@ -2,12 +2,8 @@
 
 #include <stickslip/solid/solid_assembler.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <sstream>
 
 namespace stickslip
 {
@@ -17,10 +13,13 @@ namespace stickslip
     const DoFHandler<dim>                                     &dof_handler,
     const Bodies                                              &bodies,
     const std::vector<std::shared_ptr<const ConstitutiveLaw>> &laws,
-    const BoundaryConditions<dim> &boundary_conditions)
+    const BoundaryConditions<dim> &boundary_conditions,
+    const std::vector<bool>       &with_mean_dilatation)
     : dof_handler(dof_handler)
     , bodies(bodies)
     , laws(laws)
+    , mean_dilatation(laws.size())
+    , history_fields(laws, dim)
     , quadrature(dof_handler.get_fe().degree + 1)
     , surface_loads(mapping, dof_handler.get_fe(), boundary_conditions.loads())
     , largest_modulus(0.)
@@ -33,6 +32,7 @@ namespace stickslip
     , stiffness(dof_handler.get_fe().n_dofs_per_cell(),
                 dof_handler.get_fe().n_dofs_per_cell())
     , dof_indices(dof_handler.get_fe().n_dofs_per_cell())
+    , deformation(quadrature.size())
     , body_forces(bodies.bodies.size())
   {
     AssertDimension(laws.size(), bodies.regions.size());
@@ -45,6 +45,8 @@ namespace stickslip
         if (laws[r])
           largest_modulus =
             std::max(largest_modulus, laws[r]->longitudinal_modulus());
+        if (laws[r] && !with_mean_dilatation.empty() && with_mean_dilatation[r])
+          mean_dilatation[r].emplace(laws[r]->is_geometrically_linear());
       }
     for (const Load<dim> &load : boundary_conditions.loads())
       if (load.type == BoundaryConditionType::body_force)
@@ -94,7 +96,7 @@ namespace stickslip
                                     LA::Vector        &internal,
                                     LA::Vector        &external)
   {
-    failure = Failure();
+    failure = InadmissiblePoint<dim>();
     for (const CellIterator &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned() && !is_rigid(cell))
         {
@@ -118,7 +120,7 @@ namespace stickslip
                                    LA::SparseMatrix  &matrix,
                                    LA::Vector        &rhs)
   {
-    failure = Failure();
+    failure = InadmissiblePoint<dim>();
     Vector<double> minus_residual(dof_indices.size());
     for (const CellIterator &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
@@ -161,29 +163,38 @@ namespace stickslip
   SolidAssembler<dim>::add_stresses(const CellIterator &cell,
                                     const bool          with_tangent)
   {
+    if (!deformation.compute(fe_values,
+                             mean_dilatation[cell->material_id()],
+                             element))
+      {
+        record_failure(cell, deformation.failed_point(), false);
+        return;
+      }
     const ConstitutiveLaw &law        = *laws[cell->material_id()];
     const unsigned int     cell_index = cell->active_cell_index();
     Tensor<2, 3>           P;
     Tensor<4, 3>           dP_dF;
+    Tensor<4, 3>          *tangent = with_tangent ? &dP_dF : nullptr;
     for (unsigned int q = 0; q < quadrature.size(); ++q)
       {
-        element.set_gradients(fe_values, q);
-        const Tensor<2, 3> F = element.deformation_gradient();
-        const bool         has_volume =
+        const Tensor<2, 3> &F = deformation.for_law(q);
+        const bool          has_volume =
           law.is_geometrically_linear() || determinant(F) > 0.;
-        if (!has_volume || !law.evaluate(F,
-                                         history.accepted(cell_index, q),
-                                         history.trial(cell_index, q),
-                                         P,
-                                         with_tangent ? &dP_dF : nullptr))
+        if (!has_volume ||
+            !law.evaluate(F,
+                          history.accepted(cell_index, q),
+                          history.trial(cell_index, q),
+                          P,
+                          tangent) ||
+            !std::isfinite(P.norm_square()))
           {
             record_failure(cell, q, has_volume);
             continue;
           }
-        element.add_stress(P, fe_values.JxW(q));
-        if (with_tangent)
-          element.add_stress_tangent(dP_dF, fe_values.JxW(q));
+        deformation.add_response(fe_values, q, P, tangent, element);
       }
+    if (with_tangent)
+      deformation.finish_tangent(element);
   }
 
 
@@ -229,18 +240,9 @@ namespace stickslip
                                       const unsigned int  q,
                                       const bool          has_volume)
   {
-    const Point<dim> &position = fe_values.quadrature_point(q);
-    // The same point on any number of ranks: the smallest coordinates.
-    if (failure.happened &&
-        !std::lexicographical_compare(position.begin_raw(),
-                                      position.end_raw(),
-                                      failure.position.begin_raw(),
-                                      failure.position.end_raw()))
-      return;
-    failure.happened   = true;
-    failure.position   = position;
-    failure.has_volume = has_volume;
-    failure.body       = bodies.body_of(cell->material_id());
+    failure.record(fe_values.quadrature_point(q),
+                   bodies.body_of(cell->material_id()),
+                   has_volume);
   }
 
 
@@ -249,8 +251,7 @@ namespace stickslip
   bool
   SolidAssembler<dim>::state_is_admissible() const
   {
-    return Utilities::MPI::max(failure.happened ? 1 : 0,
-                               dof_handler.get_communicator()) == 0;
+    return !failure.exists(dof_handler.get_communicator());
   }
 
 
@@ -259,31 +260,7 @@ namespace stickslip
   std::string
   SolidAssembler<dim>::inadmissible_point() const
   {
-    // Position first, so that the smallest coordinates win over the ranks.
-    std::vector<double> mine;
-    if (failure.happened)
-      {
-        mine.assign(failure.position.begin_raw(), failure.position.end_raw());
-        mine.push_back(failure.body);
-        mine.push_back(failure.has_volume);
-      }
-    std::vector<double> first;
-    for (const std::vector<double> &other :
-         Utilities::MPI::all_gather(dof_handler.get_communicator(), mine))
-      if (!other.empty() && (first.empty() || other < first))
-        first = other;
-    if (first.empty())
-      return "";
-
-    std::ostringstream text;
-    text << (first[dim + 1] != 0. ? "The constitutive law found no stress"
-                                  : "The volume is not positive")
-         << " in body '" << bodies.bodies[first[dim]].name
-         << "' at the reference position (";
-    for (unsigned int d = 0; d < dim; ++d)
-      text << (d == 0 ? "" : ", ") << first[d];
-    text << ").";
-    return text.str();
+    return failure.description(dof_handler.get_communicator(), bodies);
   }
 
 
@@ -319,15 +296,20 @@ namespace stickslip
     element.reinit(u, dof_indices);
     fe_values.reinit(typename Triangulation<dim>::active_cell_iterator(cell));
 
+    if (!deformation.compute(fe_values,
+                             mean_dilatation[cell->material_id()],
+                             element))
+      return;
+
     const ConstitutiveLaw &law = *laws[cell->material_id()];
     std::vector<double>    new_history(law.n_history_variables());
     for (unsigned int q = 0; q < quadrature.size(); ++q)
       {
-        element.set_gradients(fe_values, q);
-        const Tensor<2, 3> F = element.deformation_gradient();
-        PointState         state;
+        const Tensor<2, 3> &F = deformation.for_law(q);
+        PointState          state;
         state.reference_position = fe_values.quadrature_point(q);
         state.JxW                = fe_values.JxW(q);
+        state.history.resize(history_fields.names().size());
 
         const ArrayView<double> new_variables(new_history.data(),
                                               new_history.size());
@@ -342,6 +324,8 @@ namespace stickslip
               law.full_deformation_gradient(F, new_variables);
             state.cauchy_stress = law.cauchy_stress(F_full, P);
             state.strain        = law.strain(F_full);
+            state.history =
+              history_fields.values(cell->material_id(), new_variables);
           }
         states.push_back(state);
       }

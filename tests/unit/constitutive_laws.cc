@@ -1,48 +1,21 @@
-// Constitutive laws at a point: tangents against central differences, St
-// Venant-Kirchhoff in uniaxial tension and compression, plane stress against
-// its closed form.
+// Constitutive laws at a point: tangents against central differences, closed
+// forms of homogeneous deformations, plane stress.
 
-#include <stickslip/base/user_error.h>
+#include "law_at_a_point.h"
 
 #include <stickslip/solid/constitutive_law.h>
+#include <stickslip/solid/hyperelastic.h>
 #include <stickslip/solid/linear_elastic.h>
 #include <stickslip/solid/material_parameters.h>
 #include <stickslip/solid/plane_stress.h>
 #include <stickslip/solid/saint_venant_kirchhoff.h>
 
 #include <array>
-#include <cmath>
-#include <iostream>
 
-using namespace stickslip;
+using namespace law_test;
 
 namespace
 {
-  /// Numbers in [-1, 1], the same everywhere.
-  double
-  next_number()
-  {
-    static unsigned long state = 12345;
-    state                      = (1103515245 * state + 12345) % 2147483648UL;
-    return 2. * double(state) / 2147483648. - 1.;
-  }
-
-
-
-  Tensor<2, 3>
-  random_deformation_gradient(const unsigned int dim)
-  {
-    Tensor<2, 3> F;
-    for (unsigned int i = 0; i < 3; ++i)
-      F[i][i] = 1.;
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int j = 0; j < dim; ++j)
-        F[i][j] += 0.3 * next_number();
-    return F;
-  }
-
-
-
   struct PointEvaluation
   {
     bool         success;
@@ -70,43 +43,18 @@ namespace
 
 
 
-  /// Worst difference between tangent and central differences, relative to
-  /// the modulus.
   double
-  tangent_error(const ConstitutiveLaw &law, const unsigned int dim)
+  worst_tangent_error(const std::shared_ptr<const ConstitutiveLaw> law,
+                      const unsigned int                           dim)
   {
-    const double h     = 1e-5;
-    double       worst = 0.;
+    MaterialPoint point(law);
+    double        worst = 0.;
     for (unsigned int sample = 0; sample < 20; ++sample)
-      {
-        const Tensor<2, 3>    F      = random_deformation_gradient(dim);
-        const PointEvaluation centre = evaluate(law, F);
-        if (!centre.success)
-          return 1e10;
-        for (unsigned int k = 0; k < dim; ++k)
-          for (unsigned int l = 0; l < dim; ++l)
-            {
-              Tensor<2, 3> F_plus = F, F_minus = F;
-              F_plus[k][l] += h;
-              F_minus[k][l] -= h;
-              const Tensor<2, 3> difference =
-                (evaluate(law, F_plus).P - evaluate(law, F_minus).P) / (2 * h);
-              for (unsigned int i = 0; i < dim; ++i)
-                for (unsigned int j = 0; j < dim; ++j)
-                  worst =
-                    std::max(worst,
-                             std::abs(centre.A[i][j][k][l] - difference[i][j]));
-            }
-      }
-    return worst / law.longitudinal_modulus();
-  }
-
-
-
-  void
-  print(const std::string &what, const bool holds)
-  {
-    std::cout << what << ": " << (holds ? "yes" : "NO") << std::endl;
+      worst = std::max(worst,
+                       tangent_error(point,
+                                     random_deformation_gradient(dim, 0.3),
+                                     dim));
+    return worst;
   }
 
 
@@ -116,14 +64,114 @@ namespace
   {
     for (const std::string &name : constitutive_law_names())
       {
-        const std::unique_ptr<ConstitutiveLaw> law =
+        const std::shared_ptr<ConstitutiveLaw> law =
           create_constitutive_law(name, "Law");
-        print(name + ": tangent within 1e-6", tangent_error(*law, 3) < 1e-6);
-        const PlaneStress plane_stress(std::shared_ptr<ConstitutiveLaw>(
-          create_constitutive_law(name, "Law")));
+        print(name + ": tangent within 1e-6",
+              worst_tangent_error(law, 3) < 1e-6);
         print(name + ", plane stress: tangent within 1e-6",
-              tangent_error(plane_stress, 2) < 1e-6);
+              worst_tangent_error(std::make_shared<PlaneStress>(law), 2) <
+                1e-6);
       }
+    const auto rubber = std::make_shared<Hyperelastic>();
+    rubber->C10       = 0.8;
+    rubber->C01       = 0.2;
+    rubber->C20       = 0.1;
+    print("hyperelastic with C01 and C20: tangent within 1e-6",
+          worst_tangent_error(rubber, 3) < 1e-6);
+  }
+
+
+
+  /// Lateral stretches and nominal stresses of a block in uniaxial
+  /// compression, plane strain and confinement at one axial stretch.
+  struct HomogeneousRow
+  {
+    double C10, C01, C20, K, stretch;
+    double uniaxial_lateral, uniaxial_stress;
+    double plane_strain_lateral, plane_strain_stress;
+    double confined_stress;
+  };
+
+
+
+  void
+  test_hyperelastic()
+  {
+    const double                      K     = 13. / 3.;
+    const std::vector<HomogeneousRow> table = {{1.,
+                                                0.,
+                                                0.,
+                                                K,
+                                                0.8,
+                                                1.0667760432,
+                                                -1.3254236764,
+                                                1.0800073939,
+                                                -1.4507455764,
+                                                -1.5629049917},
+                                               {1.,
+                                                0.,
+                                                0.,
+                                                K,
+                                                0.5,
+                                                1.1610026458,
+                                                -5.7131535679,
+                                                1.0768288327,
+                                                -5.4972697853,
+                                                -5.3414687706},
+                                               {1.,
+                                                0.,
+                                                0.,
+                                                5.,
+                                                0.5,
+                                                1.2057067125,
+                                                -5.9559771602,
+                                                1.1191898520,
+                                                -5.9056234093,
+                                                -5.6748021039},
+                                               {0.8,
+                                                0.2,
+                                                0.1,
+                                                K,
+                                                0.5,
+                                                1.0537428627,
+                                                -6.4208142411,
+                                                1.0260660837,
+                                                -6.1670479115,
+                                                -6.0774218172},
+                                               {0.8,
+                                                0.2,
+                                                0.1,
+                                                K,
+                                                1.2,
+                                                0.9458459658,
+                                                0.8553895937,
+                                                0.9175780607,
+                                                0.9376985825,
+                                                1.2936995845}};
+    double                            worst = 0.;
+    for (const HomogeneousRow &row : table)
+      {
+        const auto law = std::make_shared<Hyperelastic>();
+        law->C10       = row.C10;
+        law->C01       = row.C01;
+        law->C20       = row.C20;
+        if (row.K != K) // otherwise from nu = 0.3
+          law->given_bulk_modulus = row.K;
+        MaterialPoint point(law);
+        Tensor<2, 3>  F = diagonal(row.stretch, 1., 1.);
+        point.evaluate(F);
+        worst = std::max(worst, std::abs(point.P[0][0] - row.confined_stress));
+        worst = std::max({worst,
+                          point.relax(F, {1}),
+                          std::abs(F[1][1] - row.plane_strain_lateral),
+                          std::abs(point.P[0][0] - row.plane_strain_stress)});
+        F     = diagonal(row.stretch, 1., 1.);
+        worst = std::max({worst,
+                          point.relax(F, {1, 2}),
+                          std::abs(F[1][1] - row.uniaxial_lateral),
+                          std::abs(point.P[0][0] - row.uniaxial_stress)});
+      }
+    print("hyperelastic homogeneous within 1e-8", worst < 1e-8);
   }
 
 
@@ -187,7 +235,7 @@ namespace
     double worst = 0.;
     for (unsigned int sample = 0; sample < 20; ++sample)
       {
-        const Tensor<2, 3>    F      = random_deformation_gradient(2);
+        const Tensor<2, 3>    F      = random_deformation_gradient(2, 0.3);
         SymmetricTensor<2, 3> strain = law->strain(F);
         strain[2][2]                 = 0.;
         Tensor<2, 3> stress          = 2. * mu * strain;
@@ -214,7 +262,7 @@ namespace
       prm.set(name, value);
       try
         {
-          material.check("Materials/steel", 3);
+          material.check("Materials/steel", 3, 1);
           std::cout << name << " = " << value << ": accepted" << std::endl;
         }
       catch (const UserError &error)
@@ -244,6 +292,7 @@ int
 main()
 {
   test_tangents();
+  test_hyperelastic();
   test_uniaxial();
   print("linear elastic, plane stress: closed form within 1e-11",
         plane_stress_error<LinearElastic>(false) < 1e-11);

@@ -251,28 +251,32 @@ namespace
                              owned);
     displacement = owned;
 
-    const QGauss<dim>         quadrature(degree + 1);
-    FEValues<dim>             fe_values(mapping,
+    const QGauss<dim>   quadrature(degree + 1);
+    FEValues<dim>       fe_values(mapping,
                             dof_handler.get_fe(),
                             quadrature,
                             update_quadrature_points);
-    const StressFunction<dim> stresses =
-      [&](const auto &cell, auto &stress, auto &strain) {
-        fe_values.reinit(cell);
-        for (const Point<dim> &x : fe_values.get_quadrature_points())
-          {
-            stress.push_back(linear_stress(x[0], x[1]));
-            strain.push_back(0.1 * stress.back());
-          }
-      };
+    MaterialFields<dim> fields;
+    fields.history_names = {"equivalent_plastic_strain"};
+    fields.evaluate      = [&](const auto &cell) {
+      typename MaterialFields<dim>::Values values;
+      fe_values.reinit(cell);
+      for (const Point<dim> &x : fe_values.get_quadrature_points())
+        {
+          values.cauchy_stress.push_back(linear_stress(x[0], x[1]));
+          values.strain.push_back(0.1 * values.cauchy_stress.back());
+          values.history.push_back({3. * x[0] - x[1]});
+        }
+      return values;
+    };
 
     // A bilinear stress is reproduced exactly.
-    const StressProjection<dim> projection(mapping, dof_handler, stresses);
+    const StressProjection<dim> projection(mapping, dof_handler, fields);
     std::map<types::global_dof_index, Point<dim>> supports;
     DoFTools::map_dofs_to_support_points(mapping,
                                          projection.get_dof_handler(),
                                          supports);
-    const auto                           names = StressProjection<dim>::names();
+    const auto                           names = projection.names();
     double                               error = 0.;
     std::vector<types::global_dof_index> dofs(
       projection.get_dof_handler().get_fe().n_dofs_per_cell());
@@ -292,9 +296,10 @@ namespace
               const double exact =
                 c < dim * dim       ? s[c / dim][c % dim]
                 : c < 2 * dim * dim ? 0.1 * s[c / dim - dim][c % dim]
-                : names[c] == "von_mises_stress" ? von_mises_stress(s)
-                : names[c] == "cauchy_stress_zz" ? s[2][2]
-                                                 : 0.1 * s[2][2];
+                : names[c] == "equivalent_plastic_strain" ? 3. * x[0] - x[1]
+                : names[c] == "von_mises_stress"          ? von_mises_stress(s)
+                : names[c] == "cauchy_stress_zz"          ? s[2][2]
+                                                          : 0.1 * s[2][2];
               error =
                 std::max(error,
                          std::abs(projection.get_values()(dofs[i]) - exact));
@@ -313,9 +318,9 @@ namespace
           parameters.deformed      = deformed;
           parameters.grouped_files = deformed ? 2 : 1;
           FieldOutput<dim> output(parameters, bodies, MPI_COMM_WORLD);
-          output.write(dim, 0.1, mapping, dof_handler, displacement, stresses);
+          output.write(dim, 0.1, mapping, dof_handler, displacement, fields);
           output.write(
-            dim + 2, 0.2, mapping, dof_handler, displacement, stresses);
+            dim + 2, 0.2, mapping, dof_handler, displacement, fields);
 
           // A restart at time 0.1 drops the second step.
           FieldOutput<dim> continued(parameters, bodies, MPI_COMM_WORLD);

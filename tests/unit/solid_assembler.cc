@@ -3,32 +3,24 @@
 
 #include "solid_problem.h"
 
+#include <stickslip/solid/neo_hookean.h>
+#include <stickslip/solid/simo_miehe.h>
+#include <stickslip/solid/small_strain_plasticity.h>
+
+#include <sstream>
+
 using namespace solid_test;
 
 namespace
 {
-  /// St Venant-Kirchhoff, follower pressure, springs and dead loads on a
-  /// distorted and locally refined mesh.
+  /// Tangent against central differences of the residual, in one direction.
   template <int dim>
   void
-  test_tangent(const unsigned int degree)
+  test_differences(Problem<dim>      &problem,
+                   const std::string &name,
+                   const unsigned int degree,
+                   const double       tolerance)
   {
-    Problem<dim> problem(degree);
-    problem.distort();
-    problem.refine_one_cell();
-    auto spring            = condition("spring", {2});
-    spring.stiffness       = 7.;
-    spring.direction       = (dim == 2 ? "1, 2" : "1, 2, -1");
-    auto other_spring      = condition("spring", {3});
-    other_spring.stiffness = 3.;
-    problem.finish(
-      steel<SaintVenantKirchhoff>(),
-      {{"gas", condition("follower pressure", {1, 3}, "20*(1+x*y)*t")},
-       {"spring", spring},
-       {"bed", other_spring},
-       {"weight",
-        condition("body force", {}, dim == 2 ? "0; -1" : "0; 0; -1")}});
-
     const auto state = [](const Point<dim> &p) {
       Tensor<1, dim> u;
       for (unsigned int d = 0; d < dim; ++d)
@@ -48,7 +40,8 @@ namespace
     problem.assemble_tangent(0.5, problem.geometric, matrix, minus_residual);
     LA::Vector sum = problem.residual(0.5);
     sum += minus_residual;
-    print(case_name<dim>("rhs of the tangent is minus the residual", degree),
+    print(case_name<dim>(name + "rhs of the tangent is minus the residual",
+                         degree),
           sum.linfty_norm() < 1e-12);
 
     problem.interpolate(direction);
@@ -71,8 +64,65 @@ namespace
     difference /= 2. * h;
     problem.geometric.set_zero(difference);
     difference -= product;
-    print(case_name<dim>("tangent within 1e-8 of differences", degree),
-          difference.l2_norm() < 1e-8 * product.l2_norm());
+    std::ostringstream text;
+    text << name << "tangent within " << tolerance << " of differences";
+    print(case_name<dim>(text.str(), degree),
+          difference.l2_norm() < tolerance * product.l2_norm());
+  }
+
+
+
+  /// St Venant-Kirchhoff, follower pressure, springs and dead loads on a
+  /// distorted and locally refined mesh.
+  template <int dim>
+  void
+  test_tangent(const unsigned int degree)
+  {
+    Problem<dim> problem(degree);
+    problem.distort();
+    problem.refine_one_cell();
+    auto spring            = condition("spring", {2});
+    spring.stiffness       = 7.;
+    spring.direction       = (dim == 2 ? "1, 2" : "1, 2, -1");
+    auto other_spring      = condition("spring", {3});
+    other_spring.stiffness = 3.;
+    problem.finish(
+      steel<SaintVenantKirchhoff>(),
+      {{"gas", condition("follower pressure", {1, 3}, "20*(1+x*y)*t")},
+       {"spring", spring},
+       {"bed", other_spring},
+       {"weight",
+        condition("body force", {}, dim == 2 ? "0; -1" : "0; 0; -1")}});
+
+    test_differences(problem, "", degree, 1e-8);
+  }
+
+
+
+  /// F-bar and B-bar elements, elastic and in plastic flow.
+  template <int dim>
+  void
+  test_mean_dilatation_tangent(const std::string                     &name,
+                               const std::shared_ptr<ConstitutiveLaw> law)
+  {
+    Problem<dim> problem(1);
+    problem.distort();
+    problem.refine_one_cell();
+    problem.finish(law, {}, /*with_mean_dilatation=*/true);
+    test_differences(problem, name + ", ", 1, 1e-6);
+  }
+
+
+
+  template <typename Law>
+  std::shared_ptr<Law>
+  plastic()
+  {
+    const auto law              = steel<Law>();
+    law->hardening.type         = "linear";
+    law->hardening.yield_stress = 0.1;
+    law->hardening.modulus      = 10.;
+    return law;
   }
 
 
@@ -160,6 +210,49 @@ namespace
 
 
 
+  /// A homogeneous deformation stays one with the mean dilatation: linear
+  /// displacements on the boundary, the law's own stress inside.
+  template <int dim>
+  void
+  test_mean_dilatation_patch(const std::string                     &name,
+                             const std::shared_ptr<ConstitutiveLaw> law)
+  {
+    Problem<dim> problem(1);
+    problem.distort();
+    problem.refine_one_cell();
+    std::vector<unsigned int> all(2 * dim);
+    for (unsigned int id = 0; id < 2 * dim; ++id)
+      all[id] = id;
+    problem.finish(law,
+                   {{"hold",
+                     condition("displacement",
+                               all,
+                               dim == 2 ? "t*0.1*x; t*0.2*x - t*0.2*y"
+                                        : "t*0.1*x; t*0.2*x - t*0.2*y; 0")}},
+                   /*with_mean_dilatation=*/true);
+    problem.interpolate([](const Point<dim> &) { return Tensor<1, dim>(); });
+    problem.solve(1., 8);
+
+    Tensor<2, 3> F, P;
+    F[0][0]               = 1.1;
+    F[1][0]               = 0.2;
+    F[1][1]               = 0.8;
+    F[2][2]               = 1.;
+    const unsigned int  n = law->n_history_variables();
+    std::vector<double> virgin(n), history(n);
+    law->initialize_history(ArrayView<double>(virgin.data(), n));
+    law->evaluate(F,
+                  ArrayView<const double>(virgin.data(), n),
+                  ArrayView<double>(history.data(), n),
+                  P,
+                  nullptr);
+    const auto expected = law->cauchy_stress(F, P);
+    print(case_name<dim>(name + ", patch of linear displacements", 1),
+          problem.stress_error(expected) < 1e-11 * expected.norm());
+  }
+
+
+
   void
   test_inadmissible_state()
   {
@@ -191,6 +284,13 @@ namespace
         test_closed_surface<dim>(degree);
         test_patch<dim>(degree);
       }
+    test_mean_dilatation_tangent<dim>("B-bar", steel<LinearElastic>());
+    test_mean_dilatation_tangent<dim>("F-bar", steel<SaintVenantKirchhoff>());
+    test_mean_dilatation_tangent<dim>("plastic F-bar", plastic<SimoMiehe>());
+    test_mean_dilatation_tangent<dim>("plastic B-bar",
+                                      plastic<SmallStrainPlasticity>());
+    test_mean_dilatation_patch<dim>("B-bar", steel<LinearElastic>());
+    test_mean_dilatation_patch<dim>("F-bar", steel<NeoHookean>());
   }
 } // namespace
 

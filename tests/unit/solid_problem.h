@@ -181,7 +181,8 @@ namespace solid_test
 
     void
     finish(const std::shared_ptr<const ConstitutiveLaw> &law,
-           const NamedList<BoundaryConditionParameters> &conditions)
+           const NamedList<BoundaryConditionParameters> &conditions,
+           const bool with_mean_dilatation = false)
     {
       dof_handler.distribute_dofs(fe);
       owned = dof_handler.locally_owned_dofs();
@@ -194,7 +195,12 @@ namespace solid_test
         bodies.regions.size());
       laws[0]   = law;
       assembler = std::make_unique<SolidAssembler<dim>>(
-        mapping, dof_handler, bodies, laws, *boundary_conditions);
+        mapping,
+        dof_handler,
+        bodies,
+        laws,
+        *boundary_conditions,
+        std::vector<bool>(laws.size(), with_mean_dilatation));
 
       geometric.reinit(relevant);
       DoFTools::make_hanging_node_constraints(dof_handler, geometric);

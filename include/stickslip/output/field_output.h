@@ -3,36 +3,23 @@
 
 #include <stickslip/base/types.h>
 #include <stickslip/mesh/body.h>
+#include <stickslip/output/material_fields.h>
 #include <stickslip/output/output_parameters.h>
 #include <stickslip/output/output_series.h>
-
-#include <deal.II/base/symmetric_tensor.h>
 
 #include <deal.II/dofs/dof_handler.h>
 
 #include <deal.II/fe/mapping.h>
 
-#include <functional>
-#include <vector>
-
 namespace stickslip
 {
   /**
-   * Gives the Cauchy stress and the strain of a locally owned cell at the
-   * points of QGauss(k+1), k the degree of the displacement. May leave both
-   * vectors empty (a rigid body): the fields are then zero.
-   */
-  template <int dim>
-  using StressFunction = std::function<
-    void(const typename DoFHandler<dim>::active_cell_iterator &cell,
-         std::vector<SymmetricTensor<2, 3>>                   &cauchy_stress,
-         std::vector<SymmetricTensor<2, 3>>                   &strain)>;
-
-  /**
    * The fields of the bodies as files for ParaView: displacement, Cauchy
-   * stress, von Mises stress, strain, body, material region and rank.
+   * stress, von Mises stress, strain, history variables of the laws (such as
+   * the equivalent plastic strain) by their names, body, material region and
+   * rank.
    *
-   * Stress and strain are projected cell by cell (L2) to discontinuous
+   * Stress, strain and history are projected cell by cell (L2) to discontinuous
    * (bi-, tri-)linears and never averaged over cells, so that jumps between
    * cells, which tell about the discretization error, stay visible. In 2D the
    * out-of-plane components are fields of their own ("cauchy_stress_zz").
@@ -53,7 +40,7 @@ namespace stickslip
     resume(const double time);
 
     /**
-     * Writes one step. @p displacement is ghosted; @p stresses may be empty.
+     * Writes one step. @p displacement is ghosted; @p material may be empty.
      * Collective; throws UserError on all ranks if writing fails.
      */
     void
@@ -62,7 +49,7 @@ namespace stickslip
           const Mapping<dim>        &mapping,
           const DoFHandler<dim>     &dof_handler,
           const LA::Vector          &displacement,
-          const StressFunction<dim> &stresses);
+          const MaterialFields<dim> &material);
 
   private:
     const bool    deformed;

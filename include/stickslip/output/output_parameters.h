@@ -13,13 +13,14 @@ namespace stickslip
   using namespace dealii;
 
   /**
-   * A point whose displacement is recorded after each step. "Body" and
-   * "Position" in the subsection Output/Points/<name>.
+   * A point whose displacement, and on request stress and history, is recorded
+   * after each step. The subsection Output/Points/<name>.
    */
   struct PointParameters
   {
     std::string         body;
     std::vector<double> position; ///< in the undeformed body
+    bool                material_state = false;
 
     void
     add_parameters(ParameterHandler &prm);

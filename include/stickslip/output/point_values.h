@@ -3,6 +3,7 @@
 
 #include <stickslip/base/types.h>
 #include <stickslip/mesh/body.h>
+#include <stickslip/output/material_fields.h>
 #include <stickslip/output/output_parameters.h>
 #include <stickslip/output/statistics_table.h>
 
@@ -17,7 +18,8 @@ namespace stickslip
 {
   /**
    * The displacement at named points of the bodies over the steps, written
-   * into points.csv with the columns step, time, NAME_x, NAME_y(, NAME_z).
+   * into points.csv with the columns step, time, NAME_x, NAME_y(, NAME_z), and
+   * for points with "Material state" NAME.cauchy_stress_xx and so on.
    *
    * A point belongs to a cell of its body (of the undeformed mesh): among the
    * cells that contain it the one with the smallest CellId, which does not
@@ -49,16 +51,33 @@ namespace stickslip
     evaluate(const DoFHandler<dim> &dof_handler,
              const LA::Vector      &displacement) const;
 
+    /// A result at a point. Results of one family have one unit.
+    struct NamedValue
+    {
+      std::string family, name;
+      double      value;
+    };
+
+    /**
+     * Displacements and material states under their names, the displacements
+     * first, on all ranks. Collective.
+     */
+    std::vector<NamedValue>
+    named_values(const DoFHandler<dim>     &dof_handler,
+                 const LA::Vector          &displacement,
+                 const MaterialFields<dim> &material) const;
+
     /// Continues points.csv of an earlier run after @p time. Collective.
     void
     resume(const double time);
 
     /// Evaluates and appends a row to points.csv. Collective.
     void
-    write(const unsigned int     step,
-          const double           time,
-          const DoFHandler<dim> &dof_handler,
-          const LA::Vector      &displacement);
+    write(const unsigned int         step,
+          const double               time,
+          const DoFHandler<dim>     &dof_handler,
+          const LA::Vector          &displacement,
+          const MaterialFields<dim> &material = {});
 
   private:
     struct NamedPoint
@@ -66,6 +85,7 @@ namespace stickslip
       std::string  name;
       unsigned int body;
       Point<dim>   position;
+      bool         material_state;
     };
 
     /// Place of a point in a locally owned cell.
@@ -81,6 +101,13 @@ namespace stickslip
     locate_locally(const NamedPoint      &point,
                    const Mapping<dim>    &mapping,
                    const DoFHandler<dim> &dof_handler) const;
+
+    /// Adds the stress and the history of a point. Collective.
+    void
+    add_material_state(const unsigned int         point,
+                       const FiniteElement<dim>  &element,
+                       const MaterialFields<dim> &material,
+                       std::vector<NamedValue>   &values) const;
 
     const Bodies  &bodies;
     const MPI_Comm communicator;

@@ -2,7 +2,7 @@
 #define stickslip_output_stress_projection_h
 
 #include <stickslip/base/types.h>
-#include <stickslip/output/field_output.h>
+#include <stickslip/output/material_fields.h>
 
 #include <deal.II/dofs/dof_handler.h>
 
@@ -20,11 +20,11 @@ namespace stickslip
   von_mises_stress(const SymmetricTensor<2, 3> &stress);
 
   /**
-   * Cauchy stress, von Mises stress and strain as one discontinuous
-   * finite element field of degree 1: the cell-wise L2 projection of values
-   * at quadrature points (over the undeformed cell). The von Mises stress is
-   * that of the projected tensor, so it is consistent with it and never
-   * negative.
+   * Cauchy stress, von Mises stress, strain and history variables as one
+   * discontinuous finite element field of degree 1: the cell-wise L2 projection
+   * of values at quadrature points (over the undeformed cell). The von Mises
+   * stress is that of the projected tensor, so it is consistent with it and
+   * never negative.
    */
   template <int dim>
   class StressProjection
@@ -33,7 +33,7 @@ namespace stickslip
     /// Collective. The triangulation of @p displacement_dof_handler is used.
     StressProjection(const Mapping<dim>        &mapping,
                      const DoFHandler<dim>     &displacement_dof_handler,
-                     const StressFunction<dim> &stresses);
+                     const MaterialFields<dim> &material);
 
     const DoFHandler<dim> &
     get_dof_handler() const;
@@ -42,17 +42,19 @@ namespace stickslip
     const LA::Vector &
     get_values() const;
 
-    static std::vector<std::string>
-    names();
+    std::vector<std::string>
+    names() const;
 
-    static std::vector<DataComponentInterpretation::DataComponentInterpretation>
-    interpretations();
+    std::vector<DataComponentInterpretation::DataComponentInterpretation>
+    interpretations() const;
 
   private:
-    /// All components of one node, in the order of names().
+    /// Components of stress and strain at one node, in the order of names().
     static std::vector<double>
     components(const SymmetricTensor<2, 3> &stress,
                const SymmetricTensor<2, 3> &strain);
+
+    const std::vector<std::string> history_names;
 
     DoFHandler<dim> dof_handler;
     LA::Vector      values;

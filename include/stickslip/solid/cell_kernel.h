@@ -55,6 +55,33 @@ namespace stickslip
     void
     add_stress_tangent(const Tensor<4, 3> &dP_dF, const double JxW);
 
+    /// Forgets the gradient of the mean dilatation.
+    void
+    clear_mean_dilatation();
+
+    /// m_(a i) += G_aJ X_iJ weight: the nodal derivative of the cell's mean
+    /// dilatation (see MeanDilatation) from those at the points.
+    void
+    add_to_mean_dilatation(const Tensor<2, 3> &X, const double weight);
+
+    /// internal_(a i) += p m_(a i) JxW
+    void
+    add_mean_pressure(const double p, const double JxW);
+
+    /// Remembers the contribution of a point to what is added by
+    /// add_mean_dilatation_tangent().
+    void
+    add_mean_dilatation_response(const Tensor<2, 3> &column,
+                                 const Tensor<2, 3> &row,
+                                 const double        square,
+                                 const double        JxW);
+
+    /// stiffness_(a i)(b k) += C_(a i) m_(b k) + m_(a i) R_(b k)
+    /// + S m_(a i) m_(b k), with C_(a i) = sum_q G_aJ column_iJ JxW and R, S
+    /// alike, since clear_mean_dilatation().
+    void
+    add_mean_dilatation_tangent();
+
     /// force_(a i) += t_i N_a(q) JxW
     void
     add_load(const FEValuesBase<dim> &fe_values,
@@ -82,6 +109,12 @@ namespace stickslip
     Vector<double> external;
 
   private:
+    /// vector_(a i) += G_aJ X_iJ weight
+    void
+    add_contracted(const Tensor<2, 3>  &X,
+                   const double         weight,
+                   std::vector<double> &vector) const;
+
     /// Row (a, i), column (k, b): b runs innermost, so that the inner loops
     /// are contiguous.
     double *
@@ -100,6 +133,10 @@ namespace stickslip
     std::vector<double> gradients;           ///< [J * n_nodes + a]
 
     AlignedVector<double> stiffness;
+
+    // Of the mean dilatation, each at [a * dim + i].
+    std::vector<double> mean_derivative, mean_column, mean_row;
+    double              mean_square = 0.;
   };
 } // namespace stickslip
 

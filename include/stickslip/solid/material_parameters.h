@@ -22,25 +22,34 @@ namespace stickslip
   {
     std::string law          = "linear elastic";
     bool        plane_stress = false;
+    std::string element      = "standard";
 
     /// Takes the law of that name; throws UserError naming @p path ("Materials/
     /// steel") and the known names.
     void
     choose_law(const std::string &name, const std::string &path);
 
-    /// Declares "Law", "Plane stress" and the parameters of the chosen law.
+    /// Declares "Law", "Plane stress", "Element" and the parameters of the
+    /// chosen law.
     void
     add_parameters(ParameterHandler &prm);
 
-    /// Throws UserError for impossible values.
+    /// Throws UserError for impossible values; @p degree is that of the
+    /// displacements.
     void
-    check(const std::string &path, const unsigned int dim) const;
+    check(const std::string &path,
+          const unsigned int dim,
+          const unsigned int degree) const;
 
     /// The law, within PlaneStress if that was asked for.
     std::shared_ptr<const ConstitutiveLaw>
     constitutive_law() const;
 
   private:
+    /// Throws UserError if the element does not fit to law and degree.
+    void
+    check_element(const std::string &path, const unsigned int degree) const;
+
     std::shared_ptr<ConstitutiveLaw> law_object;
   };
 
@@ -52,6 +61,11 @@ namespace stickslip
   std::vector<std::shared_ptr<const ConstitutiveLaw>>
   laws_of_regions(const NamedList<MaterialParameters> &materials,
                   const Bodies                        &bodies);
+
+  /// Whether a region has F-bar or B-bar elements, indexed by material id.
+  std::vector<bool>
+  mean_dilatation_of_regions(const NamedList<MaterialParameters> &materials,
+                             const Bodies                        &bodies);
 } // namespace stickslip
 
 #endif

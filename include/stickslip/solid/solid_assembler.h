@@ -6,8 +6,12 @@
 #include <stickslip/mesh/body.h>
 
 #include <stickslip/solid/boundary_conditions.h>
+#include <stickslip/solid/cell_deformation.h>
 #include <stickslip/solid/cell_kernel.h>
 #include <stickslip/solid/constitutive_law.h>
+#include <stickslip/solid/history_fields.h>
+#include <stickslip/solid/inadmissible_point.h>
+#include <stickslip/solid/mean_dilatation.h>
 #include <stickslip/solid/point_history.h>
 #include <stickslip/solid/surface_loads.h>
 
@@ -19,6 +23,7 @@
 #include <deal.II/fe/mapping.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,10 +50,15 @@ namespace stickslip
       double                JxW; ///< reference volume
       SymmetricTensor<2, 3> cauchy_stress;
       SymmetricTensor<2, 3> strain; ///< as the law defines it
+
+      /// In the order of history_names(); 0 for those of other laws.
+      std::vector<double> history;
     };
 
     /**
-     * @p laws is indexed by material id (see laws_of_regions()). Keeps
+     * @p laws is indexed by material id (see laws_of_regions()), as is
+     * @p with_mean_dilatation, which says where F-bar or B-bar elements are
+     * wanted (nowhere if it is empty; see MeanDilatation). Keeps
      * references to everything but the laws, which it shares. The mesh and the
      * degrees of freedom must be complete; after a change of the mesh make a
      * new object and transfer point_history(). Throws UserError if a
@@ -59,7 +69,8 @@ namespace stickslip
       const DoFHandler<dim>                                     &dof_handler,
       const Bodies                                              &bodies,
       const std::vector<std::shared_ptr<const ConstitutiveLaw>> &laws,
-      const BoundaryConditions<dim> &boundary_conditions);
+      const BoundaryConditions<dim> &boundary_conditions,
+      const std::vector<bool>       &with_mean_dilatation = {});
 
     /**
      * Adds internal and external forces, so that R_u = internal - external.
@@ -116,6 +127,13 @@ namespace stickslip
       const LA::Vector                                     &u,
       std::vector<PointState>                              &states);
 
+    /// Names of PointState::history.
+    const std::vector<std::string> &
+    history_names() const
+    {
+      return history_fields.names();
+    }
+
     /// lambda + 2 mu at rest; zero for a region of a rigid body without law.
     double
     longitudinal_modulus(const types::material_id material) const;
@@ -140,15 +158,6 @@ namespace stickslip
     }
 
   private:
-    /// Where the last evaluation failed on this rank.
-    struct Failure
-    {
-      bool         happened = false;
-      Point<dim>   position; ///< reference
-      unsigned int body       = 0;
-      bool         has_volume = true; ///< false: det F <= 0
-    };
-
     using CellIterator = typename DoFHandler<dim>::active_cell_iterator;
 
     void
@@ -184,15 +193,22 @@ namespace stickslip
     const Bodies                                             &bodies;
     const std::vector<std::shared_ptr<const ConstitutiveLaw>> laws;
 
+    /// By material id; empty where the dilatation is that of the point.
+    std::vector<std::optional<MeanDilatation<dim>>> mean_dilatation;
+
+    const HistoryFields history_fields;
+
     const QGauss<dim> quadrature;
     PointHistory      history;
     SurfaceLoads<dim> surface_loads;
     double            largest_modulus;
-    Failure           failure;
+
+    InadmissiblePoint<dim> failure; ///< of the last evaluation
 
     // Scratch of the cell loop.
     FEValues<dim>                        fe_values;
     ElementArrays<dim>                   element;
+    CellDeformation<dim>                 deformation;
     FullMatrix<double>                   stiffness;
     std::vector<types::global_dof_index> dof_indices;
 
