@@ -6,10 +6,19 @@
 
 namespace stickslip
 {
+  namespace
+  {
+    /// Largest degree of displacements plus one.
+    constexpr unsigned int max_nodes_1d = 7;
+  } // namespace
+
+
+
   template <int dim>
   FaceShape<dim>::FaceShape(const unsigned int degree)
     : n_1d(degree + 1)
   {
+    Assert(n_1d <= max_nodes_1d, ExcIndexRange(n_1d, 2, max_nodes_1d + 1));
     const std::vector<Point<1>> nodes_1d = QGaussLobatto<1>(n_1d).get_points();
     basis = Polynomials::generate_complete_Lagrange_basis(nodes_1d);
     for (unsigned int j = 0; j < n_nodes(); ++j)
@@ -69,10 +78,16 @@ namespace stickslip
                            FaceShapeValues<dim> &shape) const
   {
     // 1D values and two derivatives of every node along every direction
-    std::vector<std::array<std::array<double, 3>, dim - 1>> p(n_1d);
-    for (unsigned int i = 0; i < n_1d; ++i)
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        basis[i].value(xi[d], 2, p[i][d].data());
+    std::array<std::array<std::array<double, 3>, dim - 1>, max_nodes_1d> p;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      if (n_1d == 2)
+        {
+          p[0][d] = {{1. - xi[d], -1., 0.}};
+          p[1][d] = {{xi[d], 1., 0.}};
+        }
+      else
+        for (unsigned int i = 0; i < n_1d; ++i)
+          basis[i].value(xi[d], 2, p[i][d].data());
 
     shape.value.resize(n_nodes());
     shape.gradient.resize(n_nodes());

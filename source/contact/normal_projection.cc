@@ -7,6 +7,37 @@ namespace stickslip
 {
   namespace
   {
+    /// A Newton step after which the coordinates move by less than itself:
+    /// enough to turn away a face far from the projection.
+    constexpr double settled_step = 0.05;
+
+
+
+    template <int dim>
+    bool
+    is_outside(const Point<dim> &xi, const double margin)
+    {
+      for (unsigned int d = 0; d < dim; ++d)
+        if (xi[d] < -margin || xi[d] > 1. + margin)
+          return true;
+      return false;
+    }
+
+
+
+    /// The coordinate along an edge, free to move between its ends only.
+    template <int dim>
+    void
+    set_along(const double       xi,
+              const unsigned int along,
+              Projection<dim>   &projection)
+    {
+      projection.xi[along]   = std::clamp(xi, 0., 1.);
+      projection.free[along] = xi > 0. && xi < 1.;
+    }
+
+
+
     template <int dim>
     void
     finish_projection(const MasterPoint<dim> &point,
@@ -16,6 +47,36 @@ namespace stickslip
       const Tensor<1, dim> r = x_s - point.x;
       projection.distance    = r.norm();
       projection.overshoot   = (r - (r * point.n) * point.n).norm();
+    }
+
+
+
+    /// Coordinate @p along of the point closest to @p x_s on a bent edge of a
+    /// face in 3D, whose other coordinate is that of @p xi.
+    double
+    closest_on_edge(const SurfaceFace<3>         &face,
+                    const MasterConfiguration<3> &configuration,
+                    const FaceShape<3>           &shape,
+                    const Tensor<1, 3>           &x_s,
+                    Point<2>                      xi,
+                    const unsigned int            along)
+    {
+      MasterPoint<3> point;
+      xi[along] = 0.5;
+      for (unsigned int iteration = 0; iteration < 30; ++iteration)
+        {
+          evaluate_master_point(face, configuration, shape, xi, point);
+          const Tensor<1, 3> r = x_s - point.x;
+          double             slope =
+            point.a[along] * point.a[along] - r * point.x_ab[along][along];
+          if (slope <= 0.)
+            slope = point.a[along] * point.a[along];
+          const double step = (point.a[along] * r) / slope;
+          xi[along]         = std::clamp(xi[along] + step, -0.5, 1.5);
+          if (std::abs(step) < 1e-14)
+            break;
+        }
+      return xi[along];
     }
   } // namespace
 
@@ -61,6 +122,9 @@ namespace stickslip
               return projection;
           }
         d_n += step[dim - 1];
+        if (largest < settled_step &&
+            is_outside(projection.xi, overlap + settled_step))
+          return projection;
         converged = largest < 1e-14;
         // roundoff of far away faces: no more progress to be had
         if (iteration > 6 && largest < 1e-12)
@@ -68,9 +132,8 @@ namespace stickslip
       }
     if (!converged)
       return projection;
-    for (unsigned int d = 0; d < dim - 1; ++d)
-      if (projection.xi[d] < -overlap || projection.xi[d] > 1. + overlap)
-        return projection;
+    if (is_outside(projection.xi, overlap))
+      return projection;
     evaluate_master_point(face, configuration, shape, projection.xi, point);
     projection.found = true;
     projection.free.fill(true);
@@ -90,45 +153,45 @@ namespace stickslip
   {
     Projection<dim>  best;
     MasterPoint<dim> point;
-    const auto       offer = [&](Projection<dim> candidate) {
-      evaluate_master_point(face, configuration, shape, candidate.xi, point);
-      finish_projection(point, x_s, candidate);
-      candidate.found = true;
+    const auto offer = [&](Projection<dim> candidate, const Tensor<1, dim> &x) {
+      candidate.found    = true;
+      candidate.distance = (x_s - x).norm();
       if (!best.found || candidate.distance < best.distance * (1. - 1e-12))
         best = candidate;
     };
 
     for (unsigned int fixed = 0; fixed < dim - 1; ++fixed)
-      for (const double side : {0., 1.})
+      for (const unsigned int side : {0, 1})
         {
           Projection<dim> candidate;
           candidate.xi[fixed] = side;
-          if constexpr (dim == 3)
+          if constexpr (dim == 2)
+            offer(candidate, configuration.positions[side * shape.degree()]);
+          else if (shape.degree() == 1)
+            {
+              const unsigned int   along = 1 - fixed;
+              const unsigned int   first = side << fixed;
+              const Tensor<1, dim> begin = configuration.positions[first];
+              const Tensor<1, dim> edge =
+                configuration.positions[first + (1 << along)] - begin;
+              set_along(((x_s - begin) * edge) / edge.norm_square(),
+                        along,
+                        candidate);
+              offer(candidate, begin + candidate.xi[along] * edge);
+            }
+          else
             {
               const unsigned int along = 1 - fixed;
-              candidate.xi[along]      = 0.5;
-              bool inside              = true;
-              for (unsigned int iteration = 0; iteration < 30; ++iteration)
-                {
-                  evaluate_master_point(
-                    face, configuration, shape, candidate.xi, point);
-                  const Tensor<1, dim> r     = x_s - point.x;
-                  double               slope = point.a[along] * point.a[along] -
-                                 r * point.x_ab[along][along];
-                  if (slope <= 0.)
-                    slope = point.a[along] * point.a[along];
-                  const double step = (point.a[along] * r) / slope;
-                  candidate.xi[along] =
-                    std::clamp(candidate.xi[along] + step, -0.5, 1.5);
-                  if (std::abs(step) < 1e-14)
-                    break;
-                }
-              inside = candidate.xi[along] > 0. && candidate.xi[along] < 1.;
-              candidate.xi[along]   = std::clamp(candidate.xi[along], 0., 1.);
-              candidate.free[along] = inside;
+              candidate.xi[along]      = closest_on_edge(
+                face, configuration, shape, x_s, candidate.xi, along);
+              set_along(candidate.xi[along], along, candidate);
+              evaluate_master_point(
+                face, configuration, shape, candidate.xi, point);
+              offer(candidate, point.x);
             }
-          offer(candidate);
         }
+    evaluate_master_point(face, configuration, shape, best.xi, point);
+    finish_projection(point, x_s, best);
     return best;
   }
 
