@@ -15,8 +15,16 @@ import sys
 import tempfile
 
 HERE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "application", "data")
-WRONG_INPUT, CHECK_FALLS_SHORT = 1, 4
+WRONG_INPUT, NO_CONVERGENCE, CHECK_FALLS_SHORT = 1, 2, 4
 CRASH = ["backtrace", "segmentation", "signal", "aborted", "internal error", "terminate called", "an error occurred in line", "stacktrace"]
+
+ONE_STEP = "subsection Load stepping\n set Initial step = 1\n set Minimum step = 0.9\nend\n"
+
+
+def material(law, *lines):
+    """The material of the block."""
+    return "subsection Materials\n subsection matter\n set Law = %s\n %s\n end\nend\n" % (law, "\n ".join(lines))
+
 
 # name: (file, text added below an include of it, exit code, words of the message)
 CASES = {
@@ -64,6 +72,17 @@ CASES = {
     "unknown quantity in a check": (
         "patch_test.prm", "subsection Checks\n subsection a\n set Quantity = c.force_q\n set Expected = 1\n end\nend",
         WRONG_INPUT, ["c.force_q", "Did you mean 'c.force_"]),
+    "F-bar with a law of small strains": (
+        "block.prm", material("linear elastic", "set Element = F-bar"), WRONG_INPUT, ["Materials/matter/Element", "Take B-bar"]),
+    "F-bar with quadratic elements": (
+        "block.prm", material("Hencky", "set Element = F-bar") + "set Degree = 2", WRONG_INPUT, ["Materials/matter/Element", "Degree is 2"]),
+    "hardening that softens": (
+        "block.prm", material("small-strain plasticity", "set Hardening = linear", "set Hardening modulus = -1"),
+        WRONG_INPUT, ["Materials/matter/Hardening modulus", "-1", "at least 0"]),
+    "a step that turns cells inside out": (
+        "block.prm", material("Simo-Miehe plasticity", "set Element = F-bar") + ONE_STEP
+        + "subsection Boundary conditions\n subsection x1\n set Value = -1.5*t; free; free\n end\nend",
+        NO_CONVERGENCE, ["The volume is not positive in body 'block' at the reference position ("]),
     "a check that falls short": (
         "patch_test.prm", "subsection Checks\n subsection a\n set Quantity = c.force_y\n set Expected = 26\n end\nend",
         CHECK_FALLS_SHORT, ["FALLS SHORT"]),

@@ -172,6 +172,8 @@ namespace stickslip
         return "a number";
       if (pattern_begins_with(pattern, "[List of <"))
         return list_in_words(pattern);
+      if (pattern_begins_with(pattern, "[Tuple of <"))
+        return "numbers separated by ':'"; // deal.II cannot read its own text
       try
         {
           return dealii::Patterns::pattern_factory(pattern)->description(

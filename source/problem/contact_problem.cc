@@ -196,7 +196,7 @@ namespace stickslip
   {
     configure(x, contact_assembler->live.geometry);
     update_contact_scales(*contact_assembler);
-    constraints->update(time, x.block(0));
+    constraints->update(time, x.block(0), /*is_accepted=*/true);
   }
 
 

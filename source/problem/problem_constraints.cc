@@ -106,7 +106,8 @@ namespace stickslip
   template <int dim>
   void
   ProblemConstraints<dim>::update(const double      time,
-                                  const LA::Vector &displacement)
+                                  const LA::Vector &displacement,
+                                  const bool        is_accepted)
   {
     if (is_up_to_date)
       return;
@@ -141,7 +142,8 @@ namespace stickslip
     // what is left of a fully applied displacement is roundoff
     if (unapplied <= 1e-14 * largest)
       unapplied = 0.;
-    is_up_to_date = unapplied == 0.;
+    // Newton may yet go back behind a state that it has not accepted.
+    is_up_to_date = is_accepted && unapplied == 0.;
   }
 
   template class ProblemConstraints<2>;

@@ -39,9 +39,12 @@ namespace stickslip
     }
 
     /// Renews the constraints for increments of @p displacement (not ghosted),
-    /// unless a previous one satisfied all of them already. Collective.
+    /// unless a previous one that was accepted (an iterate of Newton's method,
+    /// not a trial state of it) satisfied all of them already. Collective.
     void
-    update(const double time, const LA::Vector &displacement);
+    update(const double      time,
+           const LA::Vector &displacement,
+           const bool        is_accepted = false);
 
     /// Hanging nodes and periodicity.
     const Constraints &
