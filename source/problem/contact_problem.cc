@@ -2,6 +2,7 @@
 #include <stickslip/base/user_error.h>
 
 #include <stickslip/contact/contact_scales.h>
+#include <stickslip/contact/held_directions.h>
 
 #include <stickslip/problem/contact_pairs.h>
 #include <stickslip/problem/contact_problem.h>
@@ -197,6 +198,11 @@ namespace stickslip
     configure(x, contact_assembler->live.geometry);
     update_contact_scales(*contact_assembler);
     constraints->update(time, x.block(0));
+    LA::Vector accepted(lambda);
+    accepted = x_old.block(1);
+    update_held_directions(*contact_assembler,
+                           constraints->increment(),
+                           accepted);
   }
 
 

@@ -44,6 +44,11 @@ namespace stickslip
     // scales, kept during a Newton iteration
     Regularization regularization;
 
+    // what constraints hold, kept during a Newton iteration
+    /// Orthonormal tangential directions without slip (held_directions.h).
+    std::vector<Tensor<1, dim>> held_directions;
+    Tensor<1, dim - 1>          kept_Lambda; ///< Lambda along these
+
     // history
     ContactFrame<dim> accepted_frame; ///< of the last accepted step
     Tensor<1, dim>    accumulated_slip;
