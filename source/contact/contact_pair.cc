@@ -97,6 +97,9 @@ namespace stickslip
                                   parameters.quadrature_order,
                                   multiplier_shape.degree(),
                                   path_of(name));
+    check_multipliers_are_determined(quadrature,
+                                     multiplier_shape.degree(),
+                                     path_of(name));
     table =
       SlaveShapeTable<dim>(displacement_shape, multiplier_shape, quadrature);
     points = make_contact_points(quadrature,
