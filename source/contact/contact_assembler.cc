@@ -75,7 +75,7 @@ namespace stickslip
         pair->update_configuration(u, u_old, time);
         if (live.geometry)
           for (auto &point : pair->points)
-            point.frame = pair->find_frame(point);
+            point.set_frame(pair->find_frame(point));
       }
   }
 
@@ -231,7 +231,7 @@ namespace stickslip
     for (const auto &pair : pairs)
       for (auto &point : pair->points)
         {
-          point.accepted_frame = point.frame;
+          point.accept_frame();
           if (evaluate(*pair, point).status.closed)
             point.accumulated_slip += scratch.kinematics.d_t;
         }
@@ -245,7 +245,7 @@ namespace stickslip
   {
     for (const auto &pair : pairs)
       for (auto &point : pair->points)
-        point.frame = point.accepted_frame;
+        point.restore_frame();
   }
 
 

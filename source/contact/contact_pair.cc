@@ -236,7 +236,8 @@ namespace stickslip
         table.displacement[point.quadrature_index].gradient, nodes));
     outward /= outward.norm();
     const SlavePosition<dim> slave = slave_position(point);
-    ContactFrame<dim>        frame = patch->find(slave.x, outward, point.frame);
+    ContactFrame<dim>        frame =
+      patch->find(slave.x, outward, point.frame, point.has_hopped());
     if (frame.paired)
       frame.tau = tangent_basis<dim>(frame.n, slave.direction);
     return frame;

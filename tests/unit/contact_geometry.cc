@@ -193,7 +193,8 @@ namespace
           {
             const ContactFrame<dim> frame = patch->find(probes[i].x,
                                                         probes[i].slave_normal,
-                                                        ContactFrame<dim>());
+                                                        ContactFrame<dim>(),
+                                                        false);
             own.push_back(
               {i,
                frame.paired,
