@@ -64,6 +64,12 @@ CASES = {
     "wrong expression": (
         "plate.prm", "subsection Boundary conditions\n subsection top\n set Value = 50*q\n end\nend",
         WRONG_INPUT, ["Boundary conditions/top/Value", "50*q"]),
+    "fewer contact points than multipliers": (
+        "plate.prm", "set Degree = 2\nsubsection Contact\n subsection base\n set Quadrature = Gauss\n set Quadrature order = 2\n end\nend",
+        WRONG_INPUT, ["Contact/base/Quadrature", "Quadrature order", "2 contact points", "3 multipliers", "Multiplier space", "Degree"]),
+    "fewer contact points than multipliers in 3D": (
+        "plate_3d.prm", "set Degree = 2\nsubsection Contact\n subsection base\n set Quadrature = Newton-Cotes\n set Quadrature order = 1\n end\nend",
+        WRONG_INPUT, ["Contact/base/Quadrature", "Quadrature order", "4 contact points", "9 multipliers"]),
     "unsupported regularization": (
         "plate.prm", "subsection Contact\n subsection base\n subsection Regularization\n set r_t status = 3\n set r_t law = 1\n end\n end\nend",
         WRONG_INPUT, ["r_t status", "r_t law"]),

@@ -75,7 +75,7 @@ namespace stickslip
         pair->update_configuration(u, u_old, time);
         if (live.geometry)
           for (auto &point : pair->points)
-            point.frame = pair->find_frame(point);
+            point.set_frame(pair->find_frame(point));
       }
   }
 
@@ -105,11 +105,12 @@ namespace stickslip
   template <int dim>
   Multipliers<dim>
   ContactAssembler<dim>::multipliers_at(const ContactPair<dim>  &pair,
-                                        const ContactPoint<dim> &point) const
+                                        const ContactPoint<dim> &point,
+                                        const LA::Vector        &values) const
   {
     std::vector<double> nodal_values;
     for (const auto dof : pair.slave_faces[point.slave_face].multiplier_dofs)
-      nodal_values.push_back(lambda(dof));
+      nodal_values.push_back(values(dof));
     return interpolate_multipliers(element_of(pair, point), nodal_values);
   }
 
@@ -140,7 +141,8 @@ namespace stickslip
                                              const bool linearize_geometry,
                                              const bool differentiate)
   {
-    scratch.multipliers = multipliers_at(pair, point);
+    scratch.multipliers             = multipliers_at(pair, point, lambda);
+    scratch.multipliers.kept_Lambda = point.kept_Lambda;
     if (!point.frame.paired)
       {
         scratch.kinematics = ContactKinematics<dim>();
@@ -165,6 +167,7 @@ namespace stickslip
                                 live.geometry && linearize_geometry,
                                 differentiate,
                                 scratch.kinematics);
+    hold_slip(point.held_directions, differentiate, scratch.kinematics);
   }
 
 
@@ -228,7 +231,7 @@ namespace stickslip
     for (const auto &pair : pairs)
       for (auto &point : pair->points)
         {
-          point.accepted_frame = point.frame;
+          point.accept_frame();
           if (evaluate(*pair, point).status.closed)
             point.accumulated_slip += scratch.kinematics.d_t;
         }
@@ -242,7 +245,7 @@ namespace stickslip
   {
     for (const auto &pair : pairs)
       for (auto &point : pair->points)
-        point.frame = point.accepted_frame;
+        point.restore_frame();
   }
 
 

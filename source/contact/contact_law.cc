@@ -133,7 +133,11 @@ namespace stickslip
     const auto law =
       friction_direction(Lambda + r.r_t_law * k.d_t, status.stick);
     response.traction += s * force.T;
-    const Tensor<1, dim> mismatch = law.T - Lambda;
+    Tensor<1, dim> mismatch = law.T - Lambda;
+    if (k.is_held)
+      mismatch -=
+        k.held *
+        (law.T - tangential_vector<dim>(multipliers.kept_Lambda, k.tau));
     if (s != 0.)
       for (unsigned int b = 0; b < dim - 1; ++b)
         response.row_Lambda[b] = s / r.r_t_law * (k.tau[b] * mismatch);
@@ -148,13 +152,16 @@ namespace stickslip
         else if (threshold == Threshold::plain)
           D_s = -mu * (c == G::lambda);
 
-        Tensor<1, dim> D_Lambda, D_d_t;
+        Tensor<1, dim> D_Lambda, D_kept, D_d_t;
         for (unsigned int i = 0; i < dim; ++i)
           {
             D_d_t[i] = k.D_d_t[i][c];
             for (unsigned int b = 0; b < dim - 1; ++b)
-              D_Lambda[i] += k.tau[b][i] * (c == G::Lambda + b) +
-                             multipliers.Lambda[b] * k.D_tau[b][i][c];
+              {
+                D_Lambda[i] += k.tau[b][i] * (c == G::Lambda + b) +
+                               multipliers.Lambda[b] * k.D_tau[b][i][c];
+                D_kept[i] += multipliers.kept_Lambda[b] * k.D_tau[b][i][c];
+              }
           }
         const Tensor<1, dim> D_T =
           force.A * (D_Lambda + r.r_t_augmentation * D_d_t);
@@ -162,8 +169,10 @@ namespace stickslip
           response.D_traction[i][c] += force.T[i] * D_s + s * D_T[i];
         if (s == 0.)
           continue;
-        const Tensor<1, dim> D_mismatch =
-          law.A * (D_Lambda + r.r_t_law * D_d_t) - D_Lambda;
+        const Tensor<1, dim> D_law = law.A * (D_Lambda + r.r_t_law * D_d_t);
+        Tensor<1, dim>       D_mismatch = D_law - D_Lambda;
+        if (k.is_held)
+          D_mismatch -= k.held * (D_law - D_kept);
         for (unsigned int b = 0; b < dim - 1; ++b)
           {
             double D_row =

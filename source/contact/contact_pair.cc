@@ -97,6 +97,9 @@ namespace stickslip
                                   parameters.quadrature_order,
                                   multiplier_shape.degree(),
                                   path_of(name));
+    check_multipliers_are_determined(quadrature,
+                                     multiplier_shape.degree(),
+                                     path_of(name));
     table =
       SlaveShapeTable<dim>(displacement_shape, multiplier_shape, quadrature);
     points = make_contact_points(quadrature,
@@ -233,7 +236,8 @@ namespace stickslip
         table.displacement[point.quadrature_index].gradient, nodes));
     outward /= outward.norm();
     const SlavePosition<dim> slave = slave_position(point);
-    ContactFrame<dim>        frame = patch->find(slave.x, outward, point.frame);
+    ContactFrame<dim>        frame =
+      patch->find(slave.x, outward, point.frame, point.has_hopped());
     if (frame.paired)
       frame.tau = tangent_basis<dim>(frame.n, slave.direction);
     return frame;

@@ -69,7 +69,8 @@ namespace stickslip
       r_t,
       "Tangential regularization parameter of the three roles that have no "
       "number of their own: a number, or with 'Scale = automatic' also "
-      "automatic, which is 0.25.");
+      "automatic, which is 0.5 where the contact points are the multiplier "
+      "nodes and 0.25 for other rules (the answer drifts with it there).");
     prm.add_parameter("r_n status",
                       r_n_status,
                       "r_n in the contact status S_c(lambda_n - r_n d_n): a "
@@ -100,7 +101,8 @@ namespace stickslip
 
 
   void
-  RegularizationParameters::check(const std::string &path) const
+  RegularizationParameters::check(const std::string &path,
+                                  const double       automatic_r_t) const
   {
     const std::vector<std::string> automatic = {"automatic"};
     if (scale == "plain" && (r_n == "automatic" || r_t == "automatic"))
@@ -207,12 +209,14 @@ namespace stickslip
       "point may lie to be paired with it, as a fraction of the "
       "face size.",
       Patterns::Double(0.));
-    prm.add_parameter("Facet overlap",
-                      facet_overlap,
-                      "A point keeps its master facet until its projection is "
-                      "this fraction of the facet outside: points at a kink "
-                      "between facets then do not hop for ever.",
-                      Patterns::Double(0., 0.2));
+    prm.add_parameter(
+      "Facet overlap",
+      facet_overlap,
+      "A point that has changed its master facet six times in a "
+      "load step keeps it until its projection is this "
+      "fraction of the facet outside: points at a kink between "
+      "facets then do not hop for ever.",
+      Patterns::Double(0., 0.2));
     prm.add_parameter("Gap offset",
                       gap_offset,
                       "Function of x, y, z, t added to the gap [length]: a "
@@ -259,6 +263,6 @@ namespace stickslip
       throw UserError("'" + path +
                       "/Tresca threshold' must be larger than 0 with 'Friction "
                       "= Tresca'.");
-    regularization.check(path + "/Regularization");
+    regularization.check(path + "/Regularization", automatic_r_t(quadrature));
   }
 } // namespace stickslip

@@ -76,7 +76,7 @@ namespace stickslip
       Tensor<2, dim - 1> identity;
       for (unsigned int d = 0; d < dim - 1; ++d)
         identity[d][d] = 1.;
-      point.nodal_rotations.assign(n_multipliers, identity);
+      point.reference_rotations.assign(n_multipliers, identity);
       if constexpr (dim == 3)
         {
           std::vector<Tensor<1, dim>> nodes;
@@ -107,10 +107,10 @@ namespace stickslip
               const Tensor<1, 3> T_2 = cross_product_3d(N_l, T_1);
               const Tensor<1, 3> t_1 = turn(T_1, N_l, N);
               const Tensor<1, 3> t_2 = turn(T_2, N_l, N);
-              point.nodal_rotations[l][0][0] = e_1 * t_1;
-              point.nodal_rotations[l][0][1] = e_1 * t_2;
-              point.nodal_rotations[l][1][0] = e_2 * t_1;
-              point.nodal_rotations[l][1][1] = e_2 * t_2;
+              point.reference_rotations[l][0][0] = e_1 * t_1;
+              point.reference_rotations[l][0][1] = e_1 * t_2;
+              point.reference_rotations[l][1][0] = e_2 * t_1;
+              point.reference_rotations[l][1][1] = e_2 * t_2;
             }
         }
       else
@@ -202,6 +202,7 @@ namespace stickslip
                                multiplier_shape,
                                shape.gradient,
                                nodal_normals);
+          point.nodal_rotations = point.reference_rotations;
           points.push_back(point);
         }
     return points;

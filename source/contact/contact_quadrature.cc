@@ -4,6 +4,7 @@
 
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/utilities.h>
 
 namespace stickslip
 {
@@ -74,6 +75,33 @@ namespace stickslip
                     "Newton-Cotes.");
   }
 
+  template <int facedim>
+  void
+  check_multipliers_are_determined(const Quadrature<facedim> &quadrature,
+                                   const unsigned int         multiplier_degree,
+                                   const std::string         &path)
+  {
+    const auto needed = Utilities::pow(multiplier_degree + 1, facedim);
+    if (quadrature.size() >= needed)
+      return;
+    throw UserError(
+      "'" + path + "/Quadrature' and 'Quadrature order' place " +
+      std::to_string(quadrature.size()) +
+      " contact points on a slave face, but 'Multiplier space' and 'Degree' "
+      "put " +
+      std::to_string(needed) +
+      " multipliers there: that leaves some undetermined. Raise the order, or "
+      "set 'Quadrature = nodal' or 'Multiplier space = vertices'.");
+  }
+
+  template void
+  check_multipliers_are_determined(const Quadrature<1> &,
+                                   const unsigned int,
+                                   const std::string &);
+  template void
+  check_multipliers_are_determined(const Quadrature<2> &,
+                                   const unsigned int,
+                                   const std::string &);
   template Quadrature<1>
   contact_quadrature(const std::string &,
                      const unsigned int,

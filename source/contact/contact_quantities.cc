@@ -71,7 +71,7 @@ namespace stickslip
   {
     for (unsigned int p = 0; p < frames.size(); ++p)
       for (unsigned int i = 0; i < frames[p].size(); ++i)
-        contact.contact_pairs()[p]->points[i].frame = frames[p][i];
+        contact.contact_pairs()[p]->points[i].set_frame(frames[p][i]);
     accepted_at = evaluated_at;
   }
 

@@ -66,7 +66,8 @@ namespace stickslip
         const bool                      automatic  = given.scale == "automatic";
         const double                    r_n =
           common_value(given.r_n, parameters.quadrature == "nodal" ? 1. : 0.01);
-        const double r_t = common_value(given.r_t, automatic_r_t);
+        const double r_t =
+          common_value(given.r_t, automatic_r_t(parameters.quadrature));
 
         std::vector<double> thresholds;
         double              largest = 0.;

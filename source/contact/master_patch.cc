@@ -325,7 +325,8 @@ namespace stickslip
   ContactFrame<dim>
   MasterPatch<dim>::find(const Tensor<1, dim>    &x_s,
                          const Tensor<1, dim>    &slave_normal,
-                         const ContactFrame<dim> &hint) const
+                         const ContactFrame<dim> &hint,
+                         const bool               keep_facet) const
   {
     if (faces.empty())
       return ContactFrame<dim>();
@@ -333,7 +334,11 @@ namespace stickslip
       {
         const unsigned int f = hint.face;
         const auto         projection =
-          project_on_face(faces[f], current[f], shape, x_s, facet_overlap);
+          project_on_face(faces[f],
+                          current[f],
+                          shape,
+                          x_s,
+                          keep_facet ? facet_overlap : inside_tolerance);
         if (projection.found && projection.distance < 0.25 * faces[f].diameter)
           {
             MasterPoint<dim> point;

@@ -2,6 +2,8 @@
 #include <stickslip/base/user_error.h>
 
 #include <stickslip/contact/contact_scales.h>
+#include <stickslip/contact/held_directions.h>
+#include <stickslip/contact/nodal_frames.h>
 
 #include <stickslip/problem/contact_pairs.h>
 #include <stickslip/problem/contact_problem.h>
@@ -197,6 +199,12 @@ namespace stickslip
     configure(x, contact_assembler->live.geometry);
     update_contact_scales(*contact_assembler);
     constraints->update(time, x.block(0), /*is_accepted=*/true);
+    update_nodal_frames(*contact_assembler);
+    LA::Vector accepted(lambda);
+    accepted = x_old.block(1);
+    update_held_directions(*contact_assembler,
+                           constraints->increment(),
+                           accepted);
   }
 
 

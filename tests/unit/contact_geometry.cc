@@ -193,7 +193,8 @@ namespace
           {
             const ContactFrame<dim> frame = patch->find(probes[i].x,
                                                         probes[i].slave_normal,
-                                                        ContactFrame<dim>());
+                                                        ContactFrame<dim>(),
+                                                        false);
             own.push_back(
               {i,
                frame.paired,
@@ -453,8 +454,9 @@ namespace
         ContactFrame<dim> hint = found[0];
         roof.patch->relocate(hint);
         const auto probe = probe_at<dim>(x, 1.49, 0.3, 1.);
-        const auto frame = roof.patch->find(probe.x, probe.slave_normal, hint);
-        bool       keeps = frame.paired && frame.face_id == found[0].face_id;
+        const auto frame =
+          roof.patch->find(probe.x, probe.slave_normal, hint, true);
+        bool keeps = frame.paired && frame.face_id == found[0].face_id;
         text += keeps ? " kept" : " changed";
       }
     const auto texts = Utilities::MPI::all_gather(MPI_COMM_WORLD, text);

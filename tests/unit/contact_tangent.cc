@@ -118,16 +118,18 @@ namespace
     pair.threshold_form       = c.threshold;
     pair.multiplier_space     = c.space;
     pair.quadrature           = c.quadrature;
-    pair.normals              = c.normals;
-    pair.gap_offset           = "0.003*x";
-    auto &r                   = pair.regularization;
-    r.scale                   = "plain";
-    r.r_n_status              = "11";
-    r.r_n_augmentation        = "7";
-    r.r_n_law                 = "5";
-    r.r_t_status              = "9";
-    r.r_t_augmentation        = "6";
-    r.r_t_law                 = "5";
+    // as many points as multipliers, at least
+    pair.quadrature_order = c.space == "displacement trace" ? c.degree + 1 : 2;
+    pair.normals          = c.normals;
+    pair.gap_offset       = "0.003*x";
+    auto &r               = pair.regularization;
+    r.scale               = "plain";
+    r.r_n_status          = "11";
+    r.r_n_augmentation    = "7";
+    r.r_n_law             = "5";
+    r.r_t_status          = "9";
+    r.r_t_augmentation    = "6";
+    r.r_t_law             = "5";
     return pair;
   }
 

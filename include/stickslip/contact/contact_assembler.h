@@ -98,6 +98,12 @@ namespace stickslip
                      const unsigned int      slave_face,
                      const unsigned int      j) const;
 
+    /// Multipliers at a point from the ghosted @p values.
+    Multipliers<dim>
+    multipliers_at(const ContactPair<dim>  &pair,
+                   const ContactPoint<dim> &point,
+                   const LA::Vector        &values) const;
+
     /// Global dofs of a point: slave nodes, master stencil, multipliers.
     std::vector<types::global_dof_index>
     point_dofs(const ContactPair<dim>  &pair,
@@ -134,10 +140,6 @@ namespace stickslip
     ContactElement<dim>
     element_of(const ContactPair<dim>  &pair,
                const ContactPoint<dim> &point) const;
-
-    Multipliers<dim>
-    multipliers_at(const ContactPair<dim>  &pair,
-                   const ContactPoint<dim> &point) const;
 
     void
     evaluate_kinematics(const ContactPair<dim>  &pair,

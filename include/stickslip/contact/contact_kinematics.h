@@ -73,7 +73,11 @@ namespace stickslip
 
     double         d_n = 0.; ///< <= 0 open
     Tensor<1, dim> d_t;      ///< slip of the step, slave - master
-    Tensor<1, dim> n;
+    Tensor<1, dim> motion;   ///< w: the step's relative motion, slave - master
+    /// Projector on tangential directions without slip (see hold_slip()).
+    Tensor<2, dim>                      held;
+    bool                                is_held = false; ///< held is not 0
+    Tensor<1, dim>                      n;
     std::array<Tensor<1, dim>, dim - 1> tau;
     std::array<Tensor<1, dim>, dim - 1> a;
 
@@ -110,6 +114,17 @@ namespace stickslip
                               const bool                geometry_is_live,
                               const bool                differentiate,
                               ContactKinematics<dim>   &kinematics);
+
+  /**
+   * Takes away the slip along the orthonormal @p directions (at most dim - 1,
+   * none of them normal), projected on the tangent plane; the derivative, too,
+   * if @p differentiate.
+   */
+  template <int dim>
+  void
+  hold_slip(const std::vector<Tensor<1, dim>> &directions,
+            const bool                         differentiate,
+            ContactKinematics<dim>            &kinematics);
 } // namespace stickslip
 
 #endif

@@ -41,6 +41,8 @@ namespace stickslip
   {
     double             lambda_n = 0.;
     Tensor<1, dim - 1> Lambda; ///< components on the tangent basis
+    /// What Lambda is along held directions (ContactKinematics::held).
+    Tensor<1, dim - 1> kept_Lambda;
   };
 
   /**
@@ -90,7 +92,8 @@ namespace stickslip
    *
    * with T(r) = Lambda + r d_t in stick and its unit vector in slip. @p mu is
    * the friction coefficient for the live thresholds, @p given_threshold the
-   * number s for Threshold::given. Where s = 0 in contact the Lambda row is the
+   * number s for Threshold::given. Along held directions the Lambda row is
+   * Lambda = kept_Lambda instead. Where s = 0 in contact the Lambda row is the
    * open one, so that it is never empty. The derivative (formulation 3.4) is
    * filled if @p differentiate; it is the exact one for fixed statuses.
    */

@@ -27,6 +27,17 @@ namespace stickslip
                      const unsigned int order,
                      const unsigned int multiplier_degree,
                      const std::string &path);
+
+  /**
+   * Throws UserError if a slave face has fewer points than multipliers: then
+   * some combination of these vanishes at all points, in any mesh but the
+   * coarsest. @p path as above.
+   */
+  template <int facedim>
+  void
+  check_multipliers_are_determined(const Quadrature<facedim> &quadrature,
+                                   const unsigned int         multiplier_degree,
+                                   const std::string         &path);
 } // namespace stickslip
 
 #endif
