@@ -97,13 +97,12 @@ namespace stickslip
           const auto row = numbering(b, i) - start;
           for (unsigned int c = 0; c < n_blocks; ++c)
             if (matrix.block(b, c).n() > 0)
-              for (auto entry = matrix.block(b, c).begin(i);
-                   entry != matrix.block(b, c).end(i);
-                   ++entry)
-                {
-                  columns[row].push_back(numbering(c, entry->column()));
-                  values[row].push_back(entry->value());
-                }
+              LA::visit_row(matrix.block(b, c),
+                            i,
+                            [&](const auto column, const double value) {
+                              columns[row].push_back(numbering(c, column));
+                              values[row].push_back(value);
+                            });
           longest = std::max(longest, columns[row].size());
         }
     LA::SparsityPattern pattern(owned, owned, communicator, longest);
@@ -127,9 +126,8 @@ namespace stickslip
     number_rows(matrix, communicator);
     factorization.reset();
     copy_blocks(matrix, communicator);
-    factorization = std::make_unique<TrilinosWrappers::SolverDirect>(
-      control,
-      TrilinosWrappers::SolverDirect::AdditionalData(false, "Amesos_Mumps"));
+    factorization = std::make_unique<LA::DirectSolver>(
+      control, LA::DirectSolver::AdditionalData(false, "Amesos_Mumps"));
     try
       {
         factorization->initialize(merged);

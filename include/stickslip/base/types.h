@@ -4,7 +4,9 @@
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/block_sparsity_pattern.h>
 #include <deal.II/lac/trilinos_block_sparse_matrix.h>
+#include <deal.II/lac/trilinos_index_access.h>
 #include <deal.II/lac/trilinos_parallel_block_vector.h>
+#include <deal.II/lac/trilinos_solver.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 #include <deal.II/lac/trilinos_vector.h>
@@ -27,6 +29,37 @@ namespace stickslip
     using BlockSparseMatrix    = TrilinosWrappers::BlockSparseMatrix;
     using SparsityPattern      = TrilinosWrappers::SparsityPattern;
     using BlockSparsityPattern = TrilinosWrappers::BlockSparsityPattern;
+    /// A factorization: initialize(matrix), then solve(x, b).
+    using DirectSolver = TrilinosWrappers::SolverDirect;
+
+
+
+    /**
+     * Calls @p visit(column, value) for all stored entries of the owned row
+     * @p row, in the order of storage. Use it in place of the matrix's
+     * iterators: their end(row) searches for the next row that is not empty,
+     * which makes a loop over a sparse block quadratic.
+     */
+    template <typename Visitor>
+    void
+    visit_row(const SparseMatrix           &matrix,
+              const types::global_dof_index row,
+              const Visitor                &visit)
+    {
+      const auto &epetra = matrix.trilinos_matrix();
+      const int   local_row =
+        epetra.LRID(static_cast<TrilinosWrappers::types::int_type>(row));
+      int       n_entries = 0;
+      double   *values    = nullptr;
+      int      *columns   = nullptr;
+      const int error =
+        epetra.ExtractMyRowView(local_row, n_entries, values, columns);
+      AssertThrow(error == 0, ExcMessage("The row is not stored here."));
+      for (int k = 0; k < n_entries; ++k)
+        visit(static_cast<types::global_dof_index>(
+                TrilinosWrappers::global_column_index(epetra, columns[k])),
+              values[k]);
+    }
   } // namespace LA
 
   /// Constraints on the degrees of freedom of a field.

@@ -4,7 +4,6 @@
 #include <stickslip/linear_solvers/linear_solver.h>
 
 #include <deal.II/lac/solver_control.h>
-#include <deal.II/lac/trilinos_solver.h>
 
 #include <memory>
 
@@ -39,10 +38,10 @@ namespace stickslip
                  const types::global_dof_index i) const;
     };
 
-    SolverControl                                   control;
-    LA::SparseMatrix                                merged;
-    MergedNumbering                                 numbering;
-    std::unique_ptr<TrilinosWrappers::SolverDirect> factorization;
+    SolverControl                     control;
+    LA::SparseMatrix                  merged;
+    MergedNumbering                   numbering;
+    std::unique_ptr<LA::DirectSolver> factorization;
 
     void
     number_rows(const LA::BlockSparseMatrix &matrix,
