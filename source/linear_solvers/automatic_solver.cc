@@ -16,7 +16,7 @@ namespace stickslip
     {
       if (text != "automatic")
         return Utilities::string_to_int(text);
-      return n_components < 3 ? 100000 : 6000;
+      return n_components < 3 ? 150000 : 6000;
     }
   } // namespace
 
