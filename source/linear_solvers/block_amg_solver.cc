@@ -17,6 +17,11 @@ namespace stickslip
 
 
 
+    /// Share of the augmentation that may change before the hierarchy has to.
+    constexpr double outdated_share = 0.1;
+
+
+
     /// y = A x without the empty blocks of a problem without contact.
     void
     apply(const LA::BlockSparseMatrix &matrix,
@@ -69,6 +74,7 @@ namespace stickslip
     if (has_multipliers)
       {
         augmentation.build_matrix(augmented_matrix);
+        built_stiffness = augmentation.added_stiffness();
         multigrid.reinit(augmented_matrix, *description);
       }
     else
@@ -77,6 +83,16 @@ namespace stickslip
     rebuild  = false;
     best     = 0;
     ++n_new;
+  }
+
+
+
+  bool
+  BlockAmgSolver::hierarchy_is_outdated() const
+  {
+    LA::Vector change = augmentation.added_stiffness();
+    change -= built_stiffness;
+    return change.l1_norm() > outdated_share * built_stiffness.l1_norm();
   }
 
 
@@ -119,7 +135,7 @@ namespace stickslip
     if (has_multipliers)
       zone.factorise(system, new_layout);
     // without contact the hierarchy refers to the matrix itself
-    if (new_layout || rebuild || !has_multipliers)
+    if (new_layout || rebuild || !has_multipliers || hierarchy_is_outdated())
       build_hierarchy();
   }
 

@@ -101,6 +101,26 @@ namespace stickslip
 
 
 
+  LA::Vector
+  InterfaceAugmentation::added_stiffness() const
+  {
+    LA::Vector stiffness(inverse);
+    for (const auto i : inverse.locally_owned_elements())
+      {
+        double square = 0.;
+        LA::visit_row(matrix->block(1, 0),
+                      i,
+                      [&](const auto, const double value) {
+                        square += value * value;
+                      });
+        stiffness(i) = square * inverse(i);
+      }
+    stiffness.compress(VectorOperation::insert);
+    return stiffness;
+  }
+
+
+
   void
   InterfaceAugmentation::add_to(const LA::Vector &multipliers,
                                 LA::Vector       &displacements) const

@@ -74,12 +74,14 @@ namespace stickslip
                       "contact, in units of that of the cells beside it. It "
                       "changes iteration counts, not results.",
                       Patterns::Double(1e-6, 1e6));
-    prm.add_parameter("Rebuild factor",
-                      rebuild_factor,
-                      "block AMG: the multigrid hierarchy is kept for the next "
-                      "matrices until an iteration is longer than its best one "
-                      "by this factor. 0: made anew for each matrix.",
-                      Patterns::Double(0.));
+    prm.add_parameter(
+      "Rebuild factor",
+      rebuild_factor,
+      "block AMG: the multigrid hierarchy is kept for the next "
+      "matrices until the contact state is another one or an "
+      "iteration is longer than the best one by this factor. 0: "
+      "made anew for each matrix.",
+      Patterns::Double(0.));
   }
 
 

@@ -14,9 +14,9 @@ namespace stickslip
    * the residual that is left on the contact zone. No Schur complement is
    * approximated.
    *
-   * The multigrid hierarchy is kept while sparsity and constraints stay, until
-   * an iteration takes `Rebuild factor` times as long as the best one with it;
-   * the zone is factorised for every matrix.
+   * The multigrid hierarchy is kept while sparsity, constraints and most of the
+   * augmentation stay, until an iteration takes `Rebuild factor` times as long
+   * as the best one with it; the zone is factorised for every matrix.
    */
   class BlockAmgSolver : public LinearSolver
   {
@@ -43,6 +43,7 @@ namespace stickslip
 
     InterfaceAugmentation augmentation;
     LA::SparseMatrix      augmented_matrix;
+    LA::Vector            built_stiffness; ///< added to augmented_matrix
     DisplacementMultigrid multigrid;
     mutable ZoneSolver    zone;
 
@@ -58,6 +59,11 @@ namespace stickslip
 
     void
     build_hierarchy();
+
+    /// The contact state has changed much since the hierarchy was made.
+    /// Collective.
+    bool
+    hierarchy_is_outdated() const;
 
     void
     scale_rows();

@@ -34,6 +34,11 @@ namespace stickslip
     void
     add_to(const LA::Vector &multipliers, LA::Vector &displacements) const;
 
+    /// What each multiplier adds to the stiffness: the squares of its row of B
+    /// over D. Collective.
+    LA::Vector
+    added_stiffness() const;
+
     /// D^-1 by multiplier.
     const LA::Vector &
     inverse_diagonal() const
