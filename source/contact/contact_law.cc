@@ -1,6 +1,7 @@
 #include <stickslip/contact/contact_law.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace stickslip
 {
@@ -115,6 +116,9 @@ namespace stickslip
       s = std::max(-mu * pressure, 0.);
     else if (threshold == Threshold::plain)
       s = -mu * lambda;
+    // a pressure of roundoff would make Lambda as large as its inverse
+    if (std::abs(s) <= r.negligible_threshold)
+      s = 0.;
     response.threshold = s;
     if (!status.closed || s == 0.)
       {

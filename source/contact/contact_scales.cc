@@ -15,6 +15,11 @@ namespace stickslip
 
 
 
+    /// Strain below which a pressure is nothing but the roundoff of a gap.
+    constexpr double roundoff_strain = 1e-12;
+
+
+
     /// Size of the open Lambda rows beside the closed ones: so small that the
     /// sum over the points of a node hardly jumps when one of them opens.
     constexpr double open_row_factor = 1e-6;
@@ -37,21 +42,21 @@ namespace stickslip
       return text == "automatic" ? automatic
                                  : Utilities::string_to_double(text);
     }
-
-
-
-    template <int dim>
-    double
-    contact_stiffness(const ContactPair<dim>  &pair,
-                      const ContactPoint<dim> &point)
-    {
-      double compliance = pair.slave_faces[point.slave_face].face.compliance;
-      if (point.frame.paired)
-        compliance += pair.patch->face(point.frame.face).compliance;
-      // an unpaired rigid slave carries no force: any number will do
-      return compliance > 0. ? 1. / compliance : 1.;
-    }
   } // namespace
+
+
+
+  template <int dim>
+  double
+  contact_stiffness(const ContactPair<dim>  &pair,
+                    const ContactPoint<dim> &point)
+  {
+    double compliance = pair.slave_faces[point.slave_face].face.compliance;
+    if (point.frame.paired)
+      compliance += pair.patch->face(point.frame.face).compliance;
+    // an unpaired rigid slave carries no force: any number will do
+    return compliance > 0. ? 1. / compliance : 1.;
+  }
 
 
 
@@ -71,12 +76,19 @@ namespace stickslip
 
         std::vector<double> thresholds;
         double              largest = 0.;
-        for (const auto &point : pair->points)
+        for (auto &point : pair->points)
           {
+            const double height =
+              pair->slave_faces[point.slave_face].face.diameter;
+            point.regularization.negligible_threshold =
+              parameters.friction_coefficient * roundoff_strain *
+              contact_stiffness(*pair, point) * height;
             const bool closed = contact.live_closed(*pair, point);
             double     s      = parameters.tresca_threshold;
             if (parameters.friction == "Coulomb")
               s = closed ? contact.live_threshold(*pair, point) : 0.;
+            if (s <= point.regularization.negligible_threshold)
+              s = 0.;
             thresholds.push_back(s);
             largest = std::max(largest, s);
           }
@@ -104,12 +116,17 @@ namespace stickslip
             r.r_t_augmentation =
               unit_t * role_value(given.r_t_augmentation, r_t);
             r.r_t_law           = unit_t * role_value(given.r_t_law, r_t);
+            r.threshold_scale   = s;
             r.initial_threshold = largest == 0. ? s : 0.;
             r.open_scale        = open_row_factor * s / r.r_t_law;
           }
       }
   }
 
+  template double
+  contact_stiffness(const ContactPair<2> &, const ContactPoint<2> &);
+  template double
+  contact_stiffness(const ContactPair<3> &, const ContactPoint<3> &);
   template void
   update_contact_scales(ContactAssembler<2> &);
   template void

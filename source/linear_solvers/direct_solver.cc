@@ -120,7 +120,8 @@ namespace stickslip
 
 
   void
-  DirectSolver::setup(const LA::BlockSparseMatrix &matrix)
+  DirectSolver::setup(const LA::BlockSparseMatrix &matrix,
+                      const SystemDescriber &)
   {
     const MPI_Comm communicator = matrix.block(0, 0).get_mpi_communicator();
     number_rows(matrix, communicator);
@@ -140,7 +141,7 @@ namespace stickslip
 
 
 
-  unsigned int
+  LinearSolve
   DirectSolver::solve(LA::BlockVector &x, const LA::BlockVector &b)
   {
     const IndexSet owned        = merged.locally_owned_range_indices();
@@ -187,6 +188,8 @@ namespace stickslip
       x.block(block)(i) = solution(j);
     });
     x.compress(VectorOperation::insert);
-    return 1;
+    LinearSolve result;
+    result.iterations = 1;
+    return result;
   }
 } // namespace stickslip

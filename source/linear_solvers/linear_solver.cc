@@ -1,19 +1,42 @@
 #include <stickslip/base/registry.h>
+#include <stickslip/base/user_error.h>
 
-#include <stickslip/linear_solvers/direct_solver.h>
-#include <stickslip/linear_solvers/linear_solver.h>
+#include <stickslip/linear_solvers/automatic_solver.h>
+
+#include <deal.II/base/patterns.h>
+#include <deal.II/base/timer.h>
 
 namespace stickslip
 {
   namespace
   {
-    const Registry<LinearSolver> &
+    using LinearSolverRegistry =
+      Registry<LinearSolver, const LinearSolverParameters &>;
+
+
+
+    const LinearSolverRegistry &
     linear_solver_registry()
     {
-      static const Registry<LinearSolver> registry(
-        "linear solver", {{"MUMPS", "parallel sparse direct solver", [] {
-                             return std::make_unique<DirectSolver>();
-                           }}});
+      static const LinearSolverRegistry registry(
+        "linear solver",
+        {{"automatic",
+          "MUMPS for small systems, block AMG for large ones, and MUMPS again "
+          "if its iteration fails",
+          [](const LinearSolverParameters &parameters) {
+            return std::make_unique<AutomaticSolver>(parameters);
+          }},
+         {"MUMPS",
+          "parallel sparse direct solver",
+          [](const LinearSolverParameters &) {
+            return std::make_unique<DirectSolver>();
+          }},
+         {"block AMG",
+          "flexible GMRES, preconditioned by algebraic multigrid for the "
+          "displacements and an exact solve in the contact zone",
+          [](const LinearSolverParameters &parameters) {
+            return std::make_unique<BlockAmgSolver>(parameters);
+          }}});
       return registry;
     }
   } // namespace
@@ -28,6 +51,73 @@ namespace stickslip
                       linear_solver_registry().descriptions(),
                       Patterns::Selection(
                         linear_solver_registry().selection()));
+    prm.add_parameter("Largest direct system",
+                      largest_direct_system,
+                      "automatic: unknowns up to which MUMPS is used; "
+                      "'automatic' takes what was measured to be faster.");
+    prm.add_parameter("Relative tolerance",
+                      relative_tolerance,
+                      "block AMG: of the residual, beside the right hand side.",
+                      Patterns::Double(1e-14, 0.1));
+    prm.add_parameter("Maximum iterations",
+                      max_iterations,
+                      "block AMG: after these the iteration counts as failed.",
+                      Patterns::Integer(1));
+    prm.add_parameter("Krylov vectors",
+                      krylov_vectors,
+                      "block AMG: GMRES starts anew when it holds so many "
+                      "(each takes the memory of two solutions).",
+                      Patterns::Integer(5));
+    prm.add_parameter("Augmentation",
+                      augmentation,
+                      "block AMG: stiffness that multigrid sees in closed "
+                      "contact, in units of that of the cells beside it. It "
+                      "changes iteration counts, not results.",
+                      Patterns::Double(1e-6, 1e6));
+    prm.add_parameter(
+      "Rebuild factor",
+      rebuild_factor,
+      "block AMG: the multigrid hierarchy is kept for the next "
+      "matrices until the contact state is another one or an "
+      "iteration is longer than the best one by this factor. 0: "
+      "made anew for each matrix.",
+      Patterns::Double(0.));
+  }
+
+
+
+  void
+  LinearSolverParameters::check(const std::string &path) const
+  {
+    const bool is_number =
+      !largest_direct_system.empty() && largest_direct_system.find_first_not_of(
+                                          "0123456789") == std::string::npos;
+    if (largest_direct_system != "automatic" && !is_number)
+      throw UserError("'" + path + "/Largest direct system' = '" +
+                      largest_direct_system +
+                      "': it must be a number of unknowns (0, 1, 2, ...) or "
+                      "automatic.");
+  }
+
+
+
+  std::string
+  LinearSolver::solve_system(const LA::BlockSparseMatrix &matrix,
+                             const SystemDescriber       &describe,
+                             const LA::BlockVector       &b,
+                             LA::BlockVector             &x,
+                             SolveCounts                 &counts)
+  {
+    Timer timer;
+    setup(matrix, describe);
+    counts.setup_seconds += timer.wall_time();
+    timer.restart();
+    const LinearSolve result = solve(x, b);
+    counts.solve_seconds += timer.wall_time();
+    counts.linear_iterations += result.iterations;
+    counts.multigrid_setups += result.multigrid_setups;
+    counts.direct_fallbacks += result.direct_fallbacks;
+    return result.note;
   }
 
 
@@ -36,7 +126,8 @@ namespace stickslip
   create_linear_solver(const LinearSolverParameters &parameters)
   {
     return linear_solver_registry().create(parameters.name,
-                                           "Linear solver/Name");
+                                           "Linear solver/Name",
+                                           parameters);
   }
 
 

@@ -56,9 +56,11 @@ namespace stickslip
                                               communicator);
     constraints = std::make_unique<ProblemConstraints<dim>>(
       dofs, mesh.bodies, boundary_conditions, *contact_assembler, communicator);
-    sparsity = std::make_unique<ProblemSparsity<dim>>(dofs,
+    sparsity           = std::make_unique<ProblemSparsity<dim>>(dofs,
                                                       *contact_assembler,
                                                       communicator);
+    system_description = std::make_unique<SystemDescription<dim>>(
+      dofs, mesh.bodies, *contact_assembler, communicator);
 
     const auto configure_contact = [this](const LA::BlockVector &x,
                                           const bool             may_fetch) {
@@ -274,6 +276,7 @@ namespace stickslip
     if (sparsity->update(constraints->increment(), system_matrix))
       {
         rhs = zero_state();
+        system_description->new_sparsity();
         ++counts.sparsity_rebuilds;
       }
     system_matrix = 0.;
@@ -297,6 +300,15 @@ namespace stickslip
     system_matrix.compress(VectorOperation::add);
     rhs.compress(VectorOperation::add);
     counts.contact_seconds += timer.wall_time();
+  }
+
+
+
+  template <int dim>
+  const BlockSystemDescription &
+  ContactProblem<dim>::describe_system()
+  {
+    return system_description->update(constraints->increment());
   }
 
 

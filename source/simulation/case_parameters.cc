@@ -130,6 +130,7 @@ namespace stickslip
     check_named_list("Boundary conditions", boundary_conditions);
     check_named_list("Contact", contact_pairs);
     load_stepping.check("Load stepping");
+    linear_solver.check("Linear solver");
     output.check("Output");
     for (const auto &[name, point] : output.points)
       point.check("Output/Points/" + name);

@@ -13,9 +13,6 @@
 
 #include <stickslip/strategy/nested_fixed_point.h>
 
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/timer.h>
-
 #include <iostream>
 #include <sstream>
 
@@ -140,13 +137,14 @@ namespace stickslip
   {
     problem.assemble(state);
     ++problem.counts.newton_iterations;
-    Timer timer;
-    linear_solver->setup(problem.matrix());
-    problem.counts.setup_seconds += timer.wall_time();
-    timer.restart();
-    problem.counts.linear_iterations +=
-      linear_solver->solve(increment, problem.right_hand_side());
-    problem.counts.solve_seconds += timer.wall_time();
+    const std::string note = linear_solver->solve_system(
+      problem.matrix(),
+      [this]() -> const auto & { return problem.describe_system(); },
+      problem.right_hand_side(),
+      increment,
+      problem.counts);
+    if (!note.empty())
+      log.note(note);
     problem.distribute(increment);
   }
 
@@ -309,6 +307,8 @@ namespace stickslip
     statistics.add("newton_iterations", counts.newton_iterations);
     statistics.add("pairings", counts.pairings);
     statistics.add("linear_iterations", counts.linear_iterations);
+    statistics.add("multigrid_setups", counts.multigrid_setups);
+    statistics.add("direct_fallbacks", counts.direct_fallbacks);
     statistics.add("cuts", n_cuts);
     statistics.add("failed_newton_iterations", failed.newton_iterations);
     statistics.add("sparsity_rebuilds", counts.sparsity_rebuilds);

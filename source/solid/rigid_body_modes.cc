@@ -110,6 +110,19 @@ namespace stickslip
 
 
   template <int dim>
+  Tensor<1, dim>
+  rigid_mode(const unsigned int mode, const Tensor<1, dim> &offset)
+  {
+    if (mode >= dim)
+      return rotation_displacement<dim>(mode - dim, offset);
+    Tensor<1, dim> translation;
+    translation[mode] = 1.;
+    return translation;
+  }
+
+
+
+  template <int dim>
   RigidBodyModes<dim>::RigidBodyModes(const Point<dim> &lower,
                                       const Point<dim> &upper)
     : centre(lower + 0.5 * (upper - lower))
@@ -239,6 +252,10 @@ namespace stickslip
 
 
 
+  template Tensor<1, 2>
+  rigid_mode(const unsigned int, const Tensor<1, 2> &);
+  template Tensor<1, 3>
+  rigid_mode(const unsigned int, const Tensor<1, 3> &);
   template class RigidBodyModes<2>;
   template class RigidBodyModes<3>;
   template std::vector<std::pair<Point<2>, Point<2>>>

@@ -12,6 +12,8 @@ namespace stickslip
     unsigned int newton_iterations = 0;
     unsigned int pairings          = 0; ///< times all points were paired anew
     unsigned int linear_iterations = 0; ///< of Krylov solvers
+    unsigned int multigrid_setups  = 0;
+    unsigned int direct_fallbacks  = 0; ///< of an iteration that failed
     unsigned int sparsity_rebuilds = 0;
     double       assembly_seconds  = 0.;
     double       contact_seconds   = 0.; ///< search, pairing, contact assembly

@@ -6,6 +6,7 @@
 #include <deal.II/lac/trilinos_block_sparse_matrix.h>
 #include <deal.II/lac/trilinos_index_access.h>
 #include <deal.II/lac/trilinos_parallel_block_vector.h>
+#include <deal.II/lac/trilinos_precondition.h>
 #include <deal.II/lac/trilinos_solver.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
@@ -29,6 +30,8 @@ namespace stickslip
     using BlockSparseMatrix    = TrilinosWrappers::BlockSparseMatrix;
     using SparsityPattern      = TrilinosWrappers::SparsityPattern;
     using BlockSparsityPattern = TrilinosWrappers::BlockSparsityPattern;
+    /// One sweep forwards and one backwards, within a rank.
+    using SymmetricGaussSeidel = TrilinosWrappers::PreconditionSSOR;
     /// A factorization: initialize(matrix), then solve(x, b).
     using DirectSolver = TrilinosWrappers::SolverDirect;
 
@@ -60,6 +63,64 @@ namespace stickslip
                 TrilinosWrappers::global_column_index(epetra, columns[k])),
               values[k]);
     }
+
+
+
+    /// Entries that are stored in the owned row @p row.
+    inline unsigned int
+    row_length(const SparseMatrix &matrix, const types::global_dof_index row)
+    {
+      const auto &epetra = matrix.trilinos_matrix();
+      return epetra.NumMyEntries(
+        epetra.LRID(static_cast<TrilinosWrappers::types::int_type>(row)));
+    }
+
+
+
+    /// Entries of the longest owned row.
+    inline unsigned int
+    longest_row(const SparseMatrix &matrix)
+    {
+      return matrix.trilinos_matrix().MaxNumEntries();
+    }
+
+
+
+    /**
+     * Algebraic multigrid by smoothed aggregation (ML): V-cycles with two
+     * symmetric Gauss-Seidel sweeps before and after, a direct solver on the
+     * coarsest level.
+     */
+    class AlgebraicMultigrid
+    {
+    public:
+      /**
+       * @p n_components consecutive rows belong to one node; @p near_null_space
+       * holds @p n_vectors vectors of owned rows, one after the other. Matrix
+       * and vectors must stay as they are. Collective.
+       */
+      void
+      initialize(const SparseMatrix &matrix,
+                 const unsigned int  n_components,
+                 const unsigned int  n_vectors,
+                 const double       *near_null_space);
+
+      /// One cycle with a zero initial guess. Collective.
+      void
+      vmult(Vector &x, const Vector &b) const
+      {
+        hierarchy.vmult(x, b);
+      }
+
+      void
+      clear()
+      {
+        hierarchy.clear();
+      }
+
+    private:
+      TrilinosWrappers::PreconditionAMG hierarchy;
+    };
   } // namespace LA
 
   /// Constraints on the degrees of freedom of a field.

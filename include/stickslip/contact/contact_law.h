@@ -17,6 +17,8 @@ namespace stickslip
     double initial_threshold =
       0.;                   ///< assumed by the tangent while none has one
     double open_scale = 1.; ///< c of the open Lambda rows [stress length]
+    double negligible_threshold = 0.; ///< s up to here is roundoff: no friction
+    double threshold_scale      = 1.; ///< s or the least one that r_t follows
   };
 
   /// Where the friction threshold s comes from.

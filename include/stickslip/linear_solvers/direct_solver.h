@@ -20,9 +20,10 @@ namespace stickslip
     DirectSolver();
 
     void
-    setup(const LA::BlockSparseMatrix &matrix) override;
+    setup(const LA::BlockSparseMatrix &matrix,
+          const SystemDescriber       &describe) override;
 
-    unsigned int
+    LinearSolve
     solve(LA::BlockVector &x, const LA::BlockVector &b) override;
 
   private:

@@ -13,6 +13,7 @@
 #include <stickslip/problem/dof_layout.h>
 #include <stickslip/problem/problem_constraints.h>
 #include <stickslip/problem/problem_sparsity.h>
+#include <stickslip/problem/system_description.h>
 
 #include <stickslip/solid/boundary_conditions.h>
 #include <stickslip/solid/material_parameters.h>
@@ -94,6 +95,10 @@ namespace stickslip
       return rhs;
     }
 
+    /// What a linear solver may want to know about matrix().
+    const BlockSystemDescription &
+    describe_system();
+
     /// Sets the constrained entries of an increment.
     void
     distribute(LA::BlockVector &increment) const;
@@ -168,6 +173,7 @@ namespace stickslip
     std::unique_ptr<ContactAssembler<dim>>   contact_assembler;
     std::unique_ptr<ProblemConstraints<dim>> constraints;
     std::unique_ptr<ProblemSparsity<dim>>    sparsity;
+    std::unique_ptr<SystemDescription<dim>>  system_description;
 
     std::unique_ptr<ContactGeometry<dim>>    geometry;
     std::unique_ptr<FrictionThreshold<dim>>  threshold;

@@ -61,6 +61,15 @@ namespace stickslip
   };
 
   /**
+   * Displacement of an infinitesimal rigid motion at @p offset from the centre:
+   * the translations along the axes, then the rotations by one radian (about z
+   * in 2D; about x, y, z in 3D).
+   */
+  template <int dim>
+  Tensor<1, dim>
+  rigid_mode(const unsigned int mode, const Tensor<1, dim> &offset);
+
+  /**
    * Lower and upper corner of the box around each body's vertices.
    * Collective.
    */

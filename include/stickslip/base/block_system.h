@@ -1,0 +1,57 @@
+#ifndef stickslip_base_block_system_h
+#define stickslip_base_block_system_h
+
+#include <stickslip/base/types.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace stickslip
+{
+  /// Vectors that the rows of a matrix hardly see, which the coarse levels of a
+  /// multigrid method have to represent.
+  struct NearNullSpace
+  {
+    unsigned int        n_vectors = 0;
+    std::vector<double> values; ///< [vector * n owned rows + owned row]
+  };
+
+
+
+  /**
+   * What a solver may want to know of the block system
+   * [displacements, multipliers] that its matrix does not tell.
+   */
+  struct BlockSystemDescription
+  {
+    /// Renewed when sparsity or constraints changed, so that nothing that was
+    /// made from an earlier matrix can be used any more.
+    unsigned int layout = 0;
+
+    /// Consecutive displacement dofs that belong to one node.
+    unsigned int n_components = 1;
+
+    /// Of the displacement block, or, if there is a prolongation, of the coarse
+    /// space; zero at constrained dofs.
+    std::shared_ptr<const NearNullSpace> near_null_space;
+
+    /// From linear elements to the displacements; null if these are linear. A
+    /// constrained dof at a vertex has one entry, 1, in a column of its own.
+    std::shared_ptr<const LA::SparseMatrix> prolongation;
+
+    /**
+     * By multiplier: diagonal D [inverse of stiffness, times the square of the
+     * unit of its row] such that B^T D^-1 B is a stiffness like that of the
+     * cells behind the contact surface; and that stiffness integrated over the
+     * multiplier's share of the surface. Zero where no contact point is.
+     */
+    LA::Vector regularization;
+    LA::Vector stiffness;
+  };
+
+  /// Makes the description when a solver asks for it. Collective.
+  using SystemDescriber = std::function<const BlockSystemDescription &()>;
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,80 @@
+#ifndef stickslip_linear_solvers_block_amg_solver_h
+#define stickslip_linear_solvers_block_amg_solver_h
+
+#include <stickslip/linear_solvers/displacement_multigrid.h>
+#include <stickslip/linear_solvers/interface_augmentation.h>
+#include <stickslip/linear_solvers/linear_solver.h>
+#include <stickslip/linear_solvers/zone_solver.h>
+
+namespace stickslip
+{
+  /**
+   * Flexible GMRES on [A C; B -E], preconditioned by a multigrid cycle on the
+   * augmented displacement block A + B^T D^-1 B followed by an exact solve of
+   * the residual that is left on the contact zone. No Schur complement is
+   * approximated.
+   *
+   * The multigrid hierarchy is kept while sparsity, constraints and most of the
+   * augmentation stay, until an iteration takes `Rebuild factor` times as long
+   * as the best one with it; the zone is factorised for every matrix.
+   */
+  class BlockAmgSolver : public LinearSolver
+  {
+  public:
+    explicit BlockAmgSolver(const LinearSolverParameters &parameters);
+
+    void
+    setup(const LA::BlockSparseMatrix &matrix,
+          const SystemDescriber       &describe) override;
+
+    LinearSolve
+    solve(LA::BlockVector &x, const LA::BlockVector &b) override;
+
+    /// The preconditioner, for rows scaled as in the iteration. Collective.
+    void
+    vmult(LA::BlockVector &x, const LA::BlockVector &b) const;
+
+  private:
+    const LinearSolverParameters  parameters;
+    const LA::BlockSparseMatrix  *matrix          = nullptr;
+    const BlockSystemDescription *description     = nullptr;
+    bool                          has_multipliers = false;
+    unsigned int                  layout          = 0;
+
+    InterfaceAugmentation augmentation;
+    LA::SparseMatrix      augmented_matrix;
+    LA::Vector            built_stiffness; ///< added to augmented_matrix
+    DisplacementMultigrid multigrid;
+    mutable ZoneSolver    zone;
+
+    /// Makes rows of multipliers as large as those of displacements: B row in
+    /// units of a gap, times a stiffness.
+    LA::Vector              row_scale, inverse_row_scale;
+    mutable LA::BlockVector unscaled, residual;
+
+    bool         is_fresh = false; ///< the hierarchy is of this matrix
+    bool         rebuild  = true;
+    unsigned int best     = 0; ///< iterations with this hierarchy
+    unsigned int n_new    = 0; ///< hierarchies since the last solve
+
+    void
+    build_hierarchy();
+
+    /// The contact state has changed much since the hierarchy was made.
+    /// Collective.
+    bool
+    hierarchy_is_outdated() const;
+
+    void
+    scale_rows();
+
+    unsigned int
+    iterate(LA::BlockVector       &x,
+            const LA::BlockVector &b,
+            const double           tolerance,
+            const unsigned int     max_iterations,
+            bool                  &converged) const;
+  };
+} // namespace stickslip
+
+#endif

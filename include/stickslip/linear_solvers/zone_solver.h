@@ -1,0 +1,73 @@
+#ifndef stickslip_linear_solvers_zone_solver_h
+#define stickslip_linear_solvers_zone_solver_h
+
+#include <stickslip/base/block_system.h>
+
+#include <deal.II/lac/solver_control.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace stickslip
+{
+  /**
+   * Exact solves on the contact zone: all multipliers and all displacements
+   * that a row or column of a multiplier may touch. Its matrix is that part of
+   * [A C; B -E], factorised by MUMPS. What Schur complements have to guess is
+   * here exact, and the zone is a surface: small.
+   */
+  class ZoneSolver
+  {
+  public:
+    ZoneSolver();
+
+    /// Factorises the zone of @p matrix; the zone is determined anew only if
+    /// @p new_layout. Throws NoConvergence if it is singular. Collective.
+    void
+    factorise(const LA::BlockSparseMatrix &matrix, const bool new_layout);
+
+    /// Adds to @p x the solution for the part of @p residual in the zone.
+    /// Collective.
+    void
+    add_correction(const LA::BlockVector &residual, LA::BlockVector &x);
+
+    /// Unknowns of the zone, over all ranks.
+    types::global_dof_index
+    n_unknowns() const
+    {
+      return zone.m();
+    }
+
+  private:
+    /// Where an owned zone row stands in the block system.
+    struct Row
+    {
+      unsigned int            block;
+      types::global_dof_index index;
+    };
+
+    std::vector<Row>                  rows;  ///< owned ones, in order
+    types::global_dof_index           first; ///< number of rows[0] in the zone
+    std::array<LA::Vector, 2>         numbers; ///< zone number + 1, ghosted
+    LA::SparseMatrix                  zone;
+    LA::Vector                        rhs, solution;
+    SolverControl                     control;
+    std::unique_ptr<LA::DirectSolver> factorization;
+
+    void
+    number_rows(const LA::BlockSparseMatrix &matrix);
+
+    void
+    make_pattern(const LA::BlockSparseMatrix &matrix);
+
+    /// Calls visit(zone column, value) for the entries of an owned row.
+    template <typename Visitor>
+    void
+    visit_zone_row(const LA::BlockSparseMatrix &matrix,
+                   const Row                   &row,
+                   const Visitor               &visit) const;
+  };
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,85 @@
+#include <stickslip/base/no_convergence.h>
+
+#include <stickslip/linear_solvers/automatic_solver.h>
+
+#include <deal.II/base/utilities.h>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// Unknowns up to which MUMPS is faster (measured, doc/theory.md): its
+    /// factors are much smaller in the plane than in space.
+    types::global_dof_index
+    largest_direct_system(const std::string &text,
+                          const unsigned int n_components)
+    {
+      if (text != "automatic")
+        return Utilities::string_to_int(text);
+      return n_components < 3 ? 150000 : 6000;
+    }
+  } // namespace
+
+
+
+  AutomaticSolver::AutomaticSolver(const LinearSolverParameters &parameters)
+    : parameters(parameters)
+    , iterative(parameters)
+  {}
+
+
+
+  void
+  AutomaticSolver::setup(const LA::BlockSparseMatrix &system,
+                         const SystemDescriber       &describer)
+  {
+    matrix   = &system;
+    describe = describer;
+    failure  = "";
+    is_direct =
+      system.m() <= largest_direct_system(parameters.largest_direct_system, 3);
+    if (!is_direct &&
+        system.m() <=
+          largest_direct_system(parameters.largest_direct_system, 2))
+      is_direct =
+        system.m() <= largest_direct_system(parameters.largest_direct_system,
+                                            describe().n_components);
+    if (is_direct)
+      {
+        direct.setup(system, describe);
+        return;
+      }
+    try
+      {
+        iterative.setup(system, describe);
+      }
+    catch (const NoConvergence &error)
+      {
+        failure = error.what();
+      }
+  }
+
+
+
+  LinearSolve
+  AutomaticSolver::solve(LA::BlockVector &x, const LA::BlockVector &b)
+  {
+    if (is_direct)
+      return direct.solve(x, b);
+    if (failure.empty())
+      try
+        {
+          return iterative.solve(x, b);
+        }
+      catch (const NoConvergence &error)
+        {
+          failure = error.what();
+        }
+    DirectSolver instead; // its memory is needed now and then only
+    instead.setup(*matrix, describe);
+    LinearSolve result      = instead.solve(x, b);
+    result.direct_fallbacks = 1;
+    result.note             = failure + "; solved by MUMPS";
+    return result;
+  }
+} // namespace stickslip

@@ -1,0 +1,133 @@
+#include <stickslip/linear_solvers/interface_augmentation.h>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// Columns and values of an owned row that are not zero.
+    struct StoredRow
+    {
+      std::vector<types::global_dof_index> columns;
+      std::vector<double>                  values;
+
+      void
+      read(const LA::SparseMatrix       &matrix,
+           const types::global_dof_index row,
+           const bool                    with_zeros)
+      {
+        columns.clear();
+        values.clear();
+        LA::visit_row(matrix, row, [&](const auto column, const double value) {
+          if (with_zeros || value != 0.)
+            {
+              columns.push_back(column);
+              values.push_back(value);
+            }
+        });
+      }
+    };
+  } // namespace
+
+
+
+  void
+  InterfaceAugmentation::reinit(const LA::BlockSparseMatrix  &system,
+                                const BlockSystemDescription &description,
+                                const double                  factor)
+  {
+    matrix  = &system;
+    inverse = description.regularization;
+    scaled  = inverse;
+    force.reinit(system.block(0, 0).locally_owned_range_indices(),
+                 system.block(0, 0).get_mpi_communicator());
+    for (const auto i : inverse.locally_owned_elements())
+      {
+        const double D = inverse(i) / factor +
+                         std::max(0., -system.block(1, 1).diag_element(i));
+        inverse(i) = D > 0. ? 1. / D : 0.;
+      }
+    inverse.compress(VectorOperation::insert);
+  }
+
+
+
+  void
+  InterfaceAugmentation::build_matrix(LA::SparseMatrix &augmented) const
+  {
+    const LA::SparseMatrix &A     = matrix->block(0, 0);
+    const LA::SparseMatrix &B     = matrix->block(1, 0);
+    const IndexSet          owned = A.locally_owned_range_indices();
+    StoredRow               row;
+
+    LA::SparsityPattern pattern(owned,
+                                owned,
+                                A.get_mpi_communicator(),
+                                LA::longest_row(A));
+    for (const auto i : owned)
+      {
+        row.read(A, i, true);
+        pattern.add_entries(i, row.columns.begin(), row.columns.end());
+      }
+    for (const auto i : inverse.locally_owned_elements())
+      if (inverse(i) > 0.)
+        {
+          row.read(B, i, false);
+          for (const auto j : row.columns)
+            pattern.add_entries(j, row.columns.begin(), row.columns.end());
+        }
+    pattern.compress();
+    augmented.reinit(pattern);
+
+    for (const auto i : owned)
+      {
+        row.read(A, i, true);
+        augmented.add(i, row.columns, row.values, false);
+      }
+    std::vector<double> product;
+    for (const auto i : inverse.locally_owned_elements())
+      if (inverse(i) > 0.)
+        {
+          row.read(B, i, false);
+          for (unsigned int k = 0; k < row.columns.size(); ++k)
+            {
+              product = row.values;
+              for (double &value : product)
+                value *= row.values[k] * inverse(i);
+              augmented.add(row.columns[k], row.columns, product, false);
+            }
+        }
+    augmented.compress(VectorOperation::add);
+  }
+
+
+
+  LA::Vector
+  InterfaceAugmentation::added_stiffness() const
+  {
+    LA::Vector stiffness(inverse);
+    for (const auto i : inverse.locally_owned_elements())
+      {
+        double square = 0.;
+        LA::visit_row(matrix->block(1, 0),
+                      i,
+                      [&](const auto, const double value) {
+                        square += value * value;
+                      });
+        stiffness(i) = square * inverse(i);
+      }
+    stiffness.compress(VectorOperation::insert);
+    return stiffness;
+  }
+
+
+
+  void
+  InterfaceAugmentation::add_to(const LA::Vector &multipliers,
+                                LA::Vector       &displacements) const
+  {
+    scaled = multipliers;
+    scaled.scale(inverse);
+    matrix->block(1, 0).Tvmult(force, scaled);
+    displacements += force;
+  }
+} // namespace stickslip

@@ -1,0 +1,116 @@
+#include <stickslip/problem/rigid_modes.h>
+
+#include <stickslip/solid/rigid_body_modes.h>
+
+#include <algorithm>
+#include <set>
+
+namespace stickslip
+{
+  template <int dim>
+  std::vector<unsigned int>
+  colour_bodies(const Bodies                                         &bodies,
+                const std::vector<std::unique_ptr<ContactPair<dim>>> &pairs)
+  {
+    std::vector<std::set<unsigned int>> neighbours(bodies.n_bodies());
+    for (const auto &pair : pairs)
+      {
+        const unsigned int slave =
+          bodies.index_of(pair->parameters.slave_body,
+                          "Contact/" + pair->name + "/Slave body");
+        const unsigned int master =
+          bodies.index_of(pair->parameters.master_body,
+                          "Contact/" + pair->name + "/Master body");
+        if (slave != master)
+          {
+            neighbours[slave].insert(master);
+            neighbours[master].insert(slave);
+          }
+      }
+    // greedy: the smallest colour that no neighbour has yet
+    std::vector<unsigned int> colours(bodies.n_bodies(),
+                                      numbers::invalid_unsigned_int);
+    for (unsigned int b = 0; b < bodies.n_bodies(); ++b)
+      if (!bodies.bodies[b].is_rigid)
+        {
+          std::set<unsigned int> taken;
+          for (const unsigned int other : neighbours[b])
+            taken.insert(colours[other]);
+          colours[b] = 0;
+          while (taken.count(colours[b]) > 0)
+            ++colours[b];
+        }
+    return colours;
+  }
+
+
+
+  template <int dim>
+  NearNullSpace
+  rigid_modes(const Mapping<dim>              &mapping,
+              const DoFHandler<dim>           &dof_handler,
+              const Constraints               &constraints,
+              const Bodies                    &bodies,
+              const std::vector<unsigned int> &colours)
+  {
+    constexpr unsigned int n_modes = RigidBodyModes<dim>::n_modes;
+    const auto      boxes = body_boxes(dof_handler.get_triangulation(), bodies);
+    const auto     &fe    = dof_handler.get_fe();
+    const IndexSet &owned = dof_handler.locally_owned_dofs();
+    const unsigned int n_owned   = owned.n_elements();
+    unsigned int       n_colours = 0;
+    for (const unsigned int colour : colours)
+      if (colour != numbers::invalid_unsigned_int)
+        n_colours = std::max(n_colours, colour + 1);
+
+    NearNullSpace space;
+    space.n_vectors = n_colours * n_modes;
+    space.values.assign(static_cast<std::size_t>(space.n_vectors) * n_owned,
+                        0.);
+    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      {
+        if (!cell->is_locally_owned())
+          continue;
+        const unsigned int body   = bodies.body_of(cell->material_id());
+        const unsigned int colour = colours[body];
+        if (colour == numbers::invalid_unsigned_int)
+          continue;
+        const auto          &box      = boxes[body];
+        const Tensor<1, dim> diagonal = box.second - box.first;
+        const Point<dim>     centre   = box.first + 0.5 * diagonal;
+        cell->get_dof_indices(dofs);
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          {
+            if (!owned.is_element(dofs[i]) ||
+                constraints.is_constrained(dofs[i]))
+              continue;
+            const Point<dim> position =
+              mapping.transform_unit_to_real_cell(cell,
+                                                  fe.unit_support_point(i));
+            const unsigned int component =
+              fe.system_to_component_index(i).first;
+            const std::size_t row = owned.index_within_set(dofs[i]);
+            for (unsigned int m = 0; m < n_modes; ++m)
+              space
+                .values[(colour * n_modes + m) * std::size_t(n_owned) + row] =
+                rigid_mode<dim>(m,
+                                (position - centre) /
+                                  (0.5 * diagonal.norm()))[component];
+          }
+      }
+    return space;
+  }
+
+#define INSTANTIATE(dim)                                                     \
+  template std::vector<unsigned int> colour_bodies(                          \
+    const Bodies &, const std::vector<std::unique_ptr<ContactPair<dim>>> &); \
+  template NearNullSpace rigid_modes(const Mapping<dim> &,                   \
+                                     const DoFHandler<dim> &,                \
+                                     const Constraints &,                    \
+                                     const Bodies &,                         \
+                                     const std::vector<unsigned int> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace stickslip

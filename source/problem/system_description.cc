@@ -1,0 +1,88 @@
+#include <stickslip/contact/multiplier_scales.h>
+
+#include <stickslip/problem/rigid_modes.h>
+#include <stickslip/problem/system_description.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace stickslip
+{
+  template <int dim>
+  SystemDescription<dim>::SystemDescription(const DofLayout<dim>  &dofs,
+                                            const Bodies          &bodies,
+                                            ContactAssembler<dim> &contact,
+                                            const MPI_Comm        &communicator)
+    : dofs(dofs)
+    , bodies(bodies)
+    , contact(contact)
+    , communicator(communicator)
+  {
+    description.n_components = dim;
+  }
+
+
+
+  template <int dim>
+  bool
+  SystemDescription<dim>::has_new_constraints(const Constraints &constraints)
+  {
+    IndexSet now(dofs.owned.size());
+    for (const auto i : dofs.owned)
+      if (constraints.is_constrained(i))
+        now.add_index(i);
+    now.compress();
+    const bool is_new = constrained.size() == 0 || now != constrained;
+    constrained       = now;
+    return Utilities::MPI::max(is_new ? 1 : 0, communicator) == 1;
+  }
+
+
+
+  template <int dim>
+  void
+  SystemDescription<dim>::update_scales(const Constraints &constraints)
+  {
+    const std::vector<IndexSet> owned = {dofs.owned,
+                                         contact.multipliers().locally_owned()};
+    LA::BlockVector             regularization(owned, communicator);
+    LA::BlockVector             stiffness(owned, communicator);
+    add_multiplier_scales(contact, constraints, regularization, stiffness);
+    regularization.compress(VectorOperation::add);
+    stiffness.compress(VectorOperation::add);
+    description.regularization = regularization.block(1);
+    description.stiffness      = stiffness.block(1);
+  }
+
+
+
+  template <int dim>
+  const BlockSystemDescription &
+  SystemDescription<dim>::update(const Constraints &constraints)
+  {
+    if (has_new_constraints(constraints) || sparsity_is_new)
+      {
+        sparsity_is_new = false;
+        ++description.layout;
+        const bool is_linear = dofs.fe.degree == 1;
+        if (!is_linear)
+          {
+            if (!linear_space)
+              linear_space =
+                std::make_unique<LinearSpace<dim>>(dofs, communicator);
+            linear_space->update(constraints);
+            description.prolongation = linear_space->prolongation();
+          }
+        description.near_null_space = std::make_shared<const NearNullSpace>(
+          rigid_modes(dofs.mapping,
+                      is_linear ? dofs.dof_handler : linear_space->handler(),
+                      is_linear ? constraints : linear_space->constraints(),
+                      bodies,
+                      colour_bodies(bodies, contact.contact_pairs())));
+      }
+    update_scales(constraints);
+    return description;
+  }
+
+  template class SystemDescription<2>;
+  template class SystemDescription<3>;
+} // namespace stickslip

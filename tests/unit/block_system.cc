@@ -1,0 +1,252 @@
+// What block AMG is made of: rigid modes of coloured bodies, the linear space
+// below elements of degree 2, the augmented matrix and the contact zone; on a
+// tower of three blocks, separated by gaps or closed.
+
+#include <stickslip/linear_solvers/block_amg_solver.h>
+
+#include <stickslip/problem/contact_problem.h>
+#include <stickslip/problem/rigid_modes.h>
+
+#include <stickslip/simulation/case_parameters.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <iostream>
+
+using namespace stickslip;
+
+namespace
+{
+  void
+  print(const std::string &text)
+  {
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::cout << text << std::endl;
+  }
+
+
+
+  void
+  print(const std::string &text, const bool holds)
+  {
+    print("  " + text + ": " + (holds ? "yes" : "NO"));
+  }
+
+
+
+  std::string
+  block(const std::string &name,
+        const int          dim,
+        const int          n,
+        const double       height)
+  {
+    const std::string N = std::to_string(n), z = std::to_string(height),
+                      top = std::to_string(height + 1.);
+    return "subsection " + name +
+           "\nset Generator = subdivided_hyper_rectangle\nset Arguments = " +
+           (dim == 2 ? N + "," + N + ": 0," + z + ": 1," + top + ": true"
+                     : N + "," + N + "," + N + ": 0,0," + z + ": 1,1," + top +
+                         ": true") +
+           "\nset Material = m\nend\n";
+  }
+
+
+
+  /// Lower, middle and upper block; the lower one is held at its bottom.
+  std::string
+  tower(const int dim, const int degree, const double gap)
+  {
+    const std::string low = std::to_string(2 * dim - 2),
+                      top = std::to_string(2 * dim - 1);
+    const auto contact    = [&](const std::string &slave,
+                             const std::string &master) {
+      return "subsection " + slave + " on " + master +
+             "\nset Slave body = " + slave + "\nset Slave boundary = " + low +
+             "\nset Master body = " + master +
+             "\nset Master boundary = " + top +
+             "\nset Friction = Tresca\nset Tresca threshold = 1e-3\nend\n";
+    };
+    return "set Dimension = " + std::to_string(dim) +
+           "\nset Degree = " + std::to_string(degree) +
+           "\nsubsection Bodies\n" + block("lower", dim, 3, 0.) +
+           block("middle", dim, 2, 1. + gap) +
+           block("upper", dim, 3, 2. + 2. * gap) +
+           "end\nsubsection Materials\nsubsection m\nset Law = linear elastic\n"
+           "set Young's modulus = 1\nset Poisson's ratio = 0.3\nend\nend\n"
+           "subsection Boundary conditions\nsubsection bottom\nset Body = "
+           "lower\n"
+           "set Boundary = " +
+           low + "\nset Value = " + (dim == 2 ? "0; 0" : "0; 0; 0") +
+           "\nend\nend\nsubsection Contact\n" + contact("middle", "lower") +
+           contact("upper", "middle") + "end\n";
+  }
+
+
+
+  LA::Vector
+  mode(const NearNullSpace &space, const unsigned int m, const IndexSet &owned)
+  {
+    LA::Vector   vector(owned, MPI_COMM_WORLD);
+    unsigned int row = 0;
+    for (const auto i : owned)
+      vector(i) = space.values[m * owned.n_elements() + row++];
+    vector.compress(VectorOperation::insert);
+    return vector;
+  }
+
+
+
+  /// Any vector that is the same on all numbers of ranks.
+  void
+  fill(LA::Vector &vector)
+  {
+    for (const auto i : vector.locally_owned_elements())
+      vector(i) = std::sin(1. + 7. * i);
+    vector.compress(VectorOperation::insert);
+  }
+
+
+
+  template <int dim>
+  struct Tower
+  {
+    Tower(const int degree, const double gap)
+    {
+      parameters.read(
+        ParameterFile::from_string(tower(dim, degree, gap), "tower"));
+      mesh = std::make_unique<Mesh<dim>>(build_mesh<dim>(
+        parameters.mesh, parameters.bodies, {}, MPI_COMM_WORLD));
+      problem =
+        std::make_unique<ContactProblem<dim>>(*mesh,
+                                              parameters.degree,
+                                              parameters.materials,
+                                              parameters.boundary_conditions,
+                                              parameters.contact_pairs,
+                                              false);
+      const auto x = problem->zero_state();
+      problem->begin_step(1., x);
+      problem->begin_iteration(x);
+      problem->residual(x);
+      problem->assemble(x);
+    }
+
+    CaseParameters                       parameters;
+    std::unique_ptr<Mesh<dim>>           mesh;
+    std::unique_ptr<ContactProblem<dim>> problem;
+  };
+
+
+
+  /// With gaps the bodies are free, so that their modes are a null space.
+  template <int dim>
+  void
+  test_modes(const int degree)
+  {
+    const Tower<dim> tower(degree, 0.25);
+    auto            &problem = *tower.problem;
+    const auto      &system  = problem.describe_system();
+    const auto      &space   = *system.near_null_space;
+    const auto      &A       = problem.matrix().block(0, 0);
+    const auto       colours =
+      colour_bodies(problem.bodies(), problem.contact().contact_pairs());
+    print("  colours: " + std::to_string(colours[0]) + " " +
+          std::to_string(colours[1]) + " " + std::to_string(colours[2]) + ", " +
+          std::to_string(space.n_vectors) + " vectors");
+    const IndexSet rows =
+      system.prolongation ? system.prolongation->locally_owned_domain_indices()
+                          : problem.layout().owned;
+    double     largest = 0., smallest_held = 1e300, smallest_mode = 1e300;
+    LA::Vector u(problem.layout().owned, MPI_COMM_WORLD), forces(u);
+    for (unsigned int m = 0; m < space.n_vectors; ++m)
+      {
+        const LA::Vector z = mode(space, m, rows);
+        if (system.prolongation)
+          system.prolongation->vmult(u, z);
+        else
+          u = z;
+        A.vmult(forces, u);
+        smallest_mode = std::min(smallest_mode, u.linfty_norm());
+        if (m < space.n_vectors / 2) // lower (held) and upper
+          smallest_held = std::min(smallest_held, forces.linfty_norm());
+        else // middle
+          largest = std::max(largest, forces.linfty_norm());
+      }
+    print("modes of the middle body are in the null space", largest < 1e-12);
+    print("modes of the lower one are not, where it is held",
+          smallest_held > 1e-3);
+    print("all modes move nodes", smallest_mode > 0.5);
+  }
+
+
+
+  /// Closed contact: the augmented matrix and the zone.
+  template <int dim>
+  void
+  test_interface(const int degree)
+  {
+    const Tower<dim> tower(degree, 0.);
+    auto            &problem = *tower.problem;
+    const auto      &K       = problem.matrix();
+    const auto      &system  = problem.describe_system();
+
+    InterfaceAugmentation augmentation;
+    augmentation.reinit(K, system, 4.);
+    LA::SparseMatrix augmented;
+    augmentation.build_matrix(augmented);
+    LA::BlockVector x = problem.zero_state(), product(x), residual(x);
+    fill(x.block(0));
+    fill(x.block(1));
+    K.block(0, 0).vmult(product.block(0), x.block(0));
+    const double before = product.block(0).l2_norm();
+    K.block(1, 0).vmult(product.block(1), x.block(0));
+    augmentation.add_to(product.block(1), product.block(0));
+    augmented.residual(residual.block(0), x.block(0), product.block(0));
+    print("rows are added as the augmented matrix has them",
+          residual.block(0).l2_norm() < 1e-12 * before);
+    residual.block(0) = product.block(0);
+    K.block(0, 0).vmult(product.block(0), x.block(0));
+    residual.block(0) -= product.block(0);
+    print("the augmentation is of the size of the stiffness",
+          residual.block(0).l2_norm() > 0.1 * before &&
+            residual.block(0).l2_norm() < 100. * before);
+
+    ZoneSolver zone;
+    zone.factorise(K, true);
+    print("  unknowns of the zone: " + std::to_string(zone.n_unknowns()) +
+          " of " + std::to_string(K.m()));
+    LA::BlockVector correction = problem.zero_state();
+    zone.add_correction(x, correction);
+    K.vmult(residual, correction);
+    residual -= x;
+    double left = residual.block(1).linfty_norm();
+    for (const auto i : residual.block(0).locally_owned_elements())
+      if (LA::row_length(K.block(0, 1), i) > 0)
+        left = std::max(left, std::abs(residual.block(0)(i)));
+    print("nothing is left of the residual there",
+          Utilities::MPI::max(left, MPI_COMM_WORLD) < 1e-9);
+  }
+
+
+
+  template <int dim>
+  void
+  test(const int degree)
+  {
+    print(std::to_string(dim) + "D, degree " + std::to_string(degree));
+    test_modes<dim>(degree);
+    test_interface<dim>(degree);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test<2>(1);
+  test<2>(2);
+  test<3>(1);
+  test<3>(2);
+}
