@@ -123,11 +123,13 @@ namespace stickslip
           const Tensor<1, 3> g_M         = g * M_inverse;
           const double       denominator = yield.slope + g_M * m;
 
+          const bool is_exact = r.norm() <= 1e-15 * e_trial.norm() &&
+                                std::abs(r_yield) <= 1e-14 * yield.value;
           // down to roundoff, which the strains set
           const bool has_stagnated = merit >= last_merit &&
                                      r.norm() <= 1e-13 * (1. + first_merit) &&
                                      std::abs(r_yield) <= 1e-11 * yield.value;
-          if (merit <= 1e-16 * first_merit || has_stagnated)
+          if (is_exact || has_stagnated)
             {
               flow.de_dtrial =
                 M_inverse - outer_product(M_inverse * m, g_M) / denominator;

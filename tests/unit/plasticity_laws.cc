@@ -344,6 +344,26 @@ namespace
             }
         }
     print("large increments have an answer", n > 1000 && n_failed == 0);
+
+    // small ones after large ones, for a metal
+    n = n_failed                    = 0;
+    const auto metal                = plastic_law<SimoMiehe>("linear");
+    metal->constants.youngs_modulus = 1000.;
+    metal->hardening.yield_stress   = 1.;
+    metal->hardening.modulus        = 1.;
+    for (const double size : {1e-3, 3e-3, 1e-2})
+      for (unsigned int sample = 0; sample < 10000; ++sample)
+        {
+          MaterialPoint      point(metal);
+          const Tensor<2, 3> F = random_deformation_gradient(3, 0.3);
+          if (determinant(F) < 0.1 || !point.evaluate(F, false))
+            continue;
+          point.accept();
+          ++n;
+          n_failed +=
+            !point.evaluate(random_deformation_gradient(3, size) * F, false);
+        }
+    print("small increments have an answer", n > 20000 && n_failed == 0);
   }
 
 
