@@ -79,9 +79,10 @@ namespace stickslip
       }
     else
       multigrid.reinit(matrix->block(0, 0), *description);
-    is_fresh = true;
-    rebuild  = false;
-    best     = 0;
+    near_null_space = description->near_null_space;
+    is_fresh        = true;
+    rebuild         = false;
+    best            = 0;
     ++n_new;
   }
 
@@ -135,7 +136,8 @@ namespace stickslip
     if (has_multipliers)
       zone.factorise(system, new_layout);
     // without contact the hierarchy refers to the matrix itself
-    if (new_layout || rebuild || !has_multipliers || hierarchy_is_outdated())
+    if (description->near_null_space != near_null_space || rebuild ||
+        !has_multipliers || hierarchy_is_outdated())
       build_hierarchy();
   }
 

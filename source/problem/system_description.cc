@@ -59,10 +59,12 @@ namespace stickslip
   const BlockSystemDescription &
   SystemDescription<dim>::update(const Constraints &constraints)
   {
-    if (has_new_constraints(constraints) || sparsity_is_new)
+    const bool new_constraints = has_new_constraints(constraints);
+    if (new_constraints || sparsity_is_new)
+      ++description.layout;
+    sparsity_is_new = false;
+    if (new_constraints)
       {
-        sparsity_is_new = false;
-        ++description.layout;
         const bool is_linear = dofs.fe.degree == 1;
         if (!is_linear)
           {

@@ -25,15 +25,17 @@ namespace stickslip
    */
   struct BlockSystemDescription
   {
-    /// Renewed when sparsity or constraints changed, so that nothing that was
-    /// made from an earlier matrix can be used any more.
+    /// Renewed when sparsity or constraints changed: the pattern of the matrix
+    /// is another one.
     unsigned int layout = 0;
 
     /// Consecutive displacement dofs that belong to one node.
     unsigned int n_components = 1;
 
     /// Of the displacement block, or, if there is a prolongation, of the coarse
-    /// space; zero at constrained dofs.
+    /// space; zero at constrained dofs. Another object when constraints
+    /// changed: then nothing that was made from an earlier matrix can be used
+    /// any more.
     std::shared_ptr<const NearNullSpace> near_null_space;
 
     /// From linear elements to the displacements; null if these are linear. A

@@ -14,7 +14,7 @@ namespace stickslip
    * the residual that is left on the contact zone. No Schur complement is
    * approximated.
    *
-   * The multigrid hierarchy is kept while sparsity, constraints and most of the
+   * The multigrid hierarchy is kept while constraints and most of the
    * augmentation stay, until an iteration takes `Rebuild factor` times as long
    * as the best one with it; the zone is factorised for every matrix.
    */
@@ -45,7 +45,9 @@ namespace stickslip
     LA::SparseMatrix      augmented_matrix;
     LA::Vector            built_stiffness; ///< added to augmented_matrix
     DisplacementMultigrid multigrid;
-    mutable ZoneSolver    zone;
+    /// of the hierarchy
+    std::shared_ptr<const NearNullSpace> near_null_space;
+    mutable ZoneSolver                   zone;
 
     /// Makes rows of multipliers as large as those of displacements: B row in
     /// units of a gap, times a stiffness.
