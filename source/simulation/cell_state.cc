@@ -180,6 +180,7 @@ namespace stickslip
       {
         cursor.entry(fields.displacement, i);
         cursor.entry(fields.nodal_forces, i);
+        cursor.entry(fields.rate, i);
       }
     cursor.cell_history(problem.solid().point_history(),
                         cell->active_cell_index());

@@ -47,22 +47,22 @@ namespace stickslip
     /// The fields with the ghost entries that the own cells need.
     template <int dim>
     StateVectors
-    with_ghosts(ContactProblem<dim>   &problem,
-                const LA::BlockVector &x,
-                const LA::Vector      &nodal_forces)
+    with_ghosts(ContactProblem<dim> &problem, const AcceptedState &state)
     {
       const DofLayout<dim> &layout       = problem.layout();
       const auto           &multipliers  = problem.contact().multipliers();
       const MPI_Comm        communicator = problem.contact().get_communicator();
       StateVectors          fields;
-      fields.displacement.reinit(layout.owned, layout.relevant, communicator);
-      fields.nodal_forces.reinit(layout.owned, layout.relevant, communicator);
+      for (LA::Vector *field :
+           {&fields.displacement, &fields.nodal_forces, &fields.rate})
+        field->reinit(layout.owned, layout.relevant, communicator);
       fields.multipliers.reinit(multipliers.locally_owned(),
                                 multipliers.locally_relevant(),
                                 communicator);
-      fields.displacement = x.block(0);
-      fields.nodal_forces = nodal_forces;
-      fields.multipliers  = x.block(1);
+      fields.displacement = state.x.block(0);
+      fields.nodal_forces = state.nodal_forces;
+      fields.rate         = state.rate;
+      fields.multipliers  = state.x.block(1);
       return fields;
     }
 
@@ -182,8 +182,7 @@ namespace stickslip
   void
   save_checkpoint(const std::string       &directory,
                   ContactProblem<dim>     &problem,
-                  const LA::BlockVector   &x,
-                  const LA::Vector        &nodal_forces,
+                  const AcceptedState     &accepted,
                   const CheckpointScalars &scalars)
   {
     const MPI_Comm        communicator = problem.contact().get_communicator();
@@ -205,7 +204,7 @@ namespace stickslip
 
     const PartitionFreeNames<dim> names(
       problem.layout().dof_handler.get_triangulation());
-    const StateVectors  fields = with_ghosts(problem, x, nodal_forces);
+    const StateVectors  fields = with_ghosts(problem, accepted);
     CellState<dim>      state(problem);
     CellRecordWriter    writer(path_of_cells(checkpoint, rank),
                             description.identity);
@@ -231,27 +230,30 @@ namespace stickslip
   CheckpointScalars
   load_checkpoint(const std::string   &directory,
                   ContactProblem<dim> &problem,
-                  LA::BlockVector     &x,
-                  LA::Vector          &nodal_forces)
+                  AcceptedState       &accepted)
   {
     const MPI_Comm communicator = problem.contact().get_communicator();
     std::string    checkpoint;
     const CheckpointDescription description = read_description(
       directory, fingerprint(problem), communicator, checkpoint);
 
-    x = problem.zero_state();
-    StateVectors fields{x.block(0), x.block(0), x.block(1)};
-    std::string  damage =
+    accepted.x             = problem.zero_state();
+    const LA::Vector &zero = accepted.x.block(0);
+    StateVectors      fields{zero, zero, zero, accepted.x.block(1)};
+    std::string       damage =
       read_own_cells(checkpoint, description, problem, fields);
     if (!damage.empty())
       damage = describe_damage(checkpoint, damage);
     throw_if_any_rank_failed(damage, communicator);
-    for (LA::Vector *field :
-         {&fields.displacement, &fields.nodal_forces, &fields.multipliers})
+    for (LA::Vector *field : {&fields.displacement,
+                              &fields.nodal_forces,
+                              &fields.rate,
+                              &fields.multipliers})
       field->compress(VectorOperation::insert);
-    x.block(0)   = fields.displacement;
-    x.block(1)   = fields.multipliers;
-    nodal_forces = fields.nodal_forces;
+    accepted.x.block(0)   = fields.displacement;
+    accepted.x.block(1)   = fields.multipliers;
+    accepted.nodal_forces = fields.nodal_forces;
+    accepted.rate         = fields.rate;
     problem.restore(); // the state goes on from the accepted histories
     return description.scalars;
   }
@@ -261,13 +263,11 @@ namespace stickslip
 #define INSTANTIATE(dim)                                                 \
   template void              save_checkpoint(const std::string &,        \
                                              ContactProblem<dim> &,      \
-                                             const LA::BlockVector &,    \
-                                             const LA::Vector &,         \
+                                             const AcceptedState &,      \
                                              const CheckpointScalars &); \
   template CheckpointScalars load_checkpoint(const std::string &,        \
                                              ContactProblem<dim> &,      \
-                                             LA::BlockVector &,          \
-                                             LA::Vector &);
+                                             AcceptedState &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

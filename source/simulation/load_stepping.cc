@@ -48,6 +48,12 @@ namespace stickslip
                       "A step is easy if it took at most this many Newton "
                       "iterations.",
                       Patterns::Integer(0));
+    prm.add_parameter("Predictor",
+                      predictor,
+                      "Where Newton starts in a step. linear: the "
+                      "displacements go on as in the "
+                      "last step (not after a cut). none: the accepted state.",
+                      Patterns::Selection("linear|none"));
     prm.add_parameter("Requested times",
                       requested_times,
                       "Times that steps must hit exactly.",

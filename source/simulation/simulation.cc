@@ -36,8 +36,7 @@ namespace stickslip
     , linear_solver(create_linear_solver(parameters.linear_solver))
     , load_stepping(parameters.load_stepping)
     , x(problem.zero_state())
-    , accepted(x)
-    , accepted_forces(x.block(0))
+    , accepted{x, x.block(0), x.block(0)}
     , field_output(parameters.output, mesh.bodies, communicator)
     , contact_output(parameters.output, communicator)
     , point_values(parameters.output, mesh.bodies, communicator)
@@ -85,11 +84,23 @@ namespace stickslip
 
   template <int dim>
   void
+  Simulation<dim>::predict(const double time)
+  {
+    x = accepted.x;
+    // What has failed once is tried anew without a guess.
+    if (parameters.load_stepping.predictor == "linear" && n_cuts == 0)
+      x.block(0).add(time - load_stepping.time(), accepted.rate);
+  }
+
+
+
+  template <int dim>
+  void
   Simulation<dim>::solve_step(const double time)
   {
     problem.counts = SolveCounts();
-    x              = accepted;
-    problem.begin_step(time, accepted);
+    predict(time);
+    problem.begin_step(time, accepted.x);
     log.begin_step(load_stepping.step_number() + 1,
                    time,
                    time - load_stepping.time());
@@ -157,11 +168,13 @@ namespace stickslip
     problem.accept_step(x);
     // trapezoidal rule for the work of loads and supports
     LA::Vector step(x.block(0));
-    step -= accepted.block(0);
+    step -= accepted.x.block(0);
     external_work +=
-      0.5 * (accepted_forces * step + problem.nodal_forces() * step);
-    accepted_forces = problem.nodal_forces();
-    accepted        = x;
+      0.5 * (accepted.nodal_forces * step + problem.nodal_forces() * step);
+    accepted.nodal_forces = problem.nodal_forces();
+    accepted.x            = x;
+    accepted.rate         = step;
+    accepted.rate *= 1. / (load_stepping.propose_step() - load_stepping.time());
     load_stepping.accept_step(problem.counts.newton_iterations);
 
     const auto faces = contact_results(problem.contact());
@@ -191,7 +204,7 @@ namespace stickslip
     const std::string contact = describe_contact(problem.contact());
     log.note("step failed: " + std::string(failure.what()) + "\n" + contact);
     problem.restore();
-    x                  = accepted;
+    x                  = accepted.x;
     const double tried = load_stepping.propose_step();
     try
       {
@@ -255,7 +268,6 @@ namespace stickslip
     save_checkpoint(parameters.output.directory,
                     problem,
                     accepted,
-                    accepted_forces,
                     {load_stepping.time(),
                      load_stepping.step_size(),
                      load_stepping.step_number(),
@@ -272,13 +284,13 @@ namespace stickslip
     const std::string &directory =
       restart_from == "latest" ? parameters.output.directory : restart_from;
     const CheckpointScalars scalars =
-      load_checkpoint(directory, problem, accepted, accepted_forces);
+      load_checkpoint(directory, problem, accepted);
     external_work = scalars.external_work;
     friction_work = scalars.friction_work;
     load_stepping.resume(scalars.time, scalars.step_size, scalars.step);
     // pairs the points and sets the scales that the first thresholds need
-    problem.begin_step(scalars.time, accepted);
-    problem.begin_iteration(accepted);
+    problem.begin_step(scalars.time, accepted.x);
+    problem.begin_iteration(accepted.x);
     log.note("continues from " + directory);
     if (!checkpoint_is_in(directory, parameters.output.directory, communicator))
       return; // the tables there are of another run

@@ -3,6 +3,7 @@
 
 #include <stickslip/problem/contact_problem.h>
 
+#include <stickslip/simulation/accepted_state.h>
 #include <stickslip/simulation/checkpoint_description.h>
 
 #include <string>
@@ -10,9 +11,9 @@
 namespace stickslip
 {
   /**
-   * Writes an accepted state below @p directory (the output directory): the
-   * state @p x, the @p nodal_forces that go with it, the histories of
-   * @p problem, and the faces that the contact points are paired with.
+   * Writes an accepted @p state below @p directory (the output directory), the
+   * histories of @p problem, and the faces that the contact points are paired
+   * with.
    *
    * The state is cut into records of cells: nodal values, point history,
    * multipliers and contact points of the cell's slave faces. Each rank writes
@@ -32,14 +33,12 @@ namespace stickslip
   void
   save_checkpoint(const std::string       &directory,
                   ContactProblem<dim>     &problem,
-                  const LA::BlockVector   &x,
-                  const LA::Vector        &nodal_forces,
+                  const AcceptedState     &state,
                   const CheckpointScalars &scalars);
 
   /**
    * Reads the latest complete checkpoint below @p directory, or the one that
-   * @p directory itself is, into @p x, @p nodal_forces (both not ghosted) and
-   * the histories of @p problem. It must be the same mesh with the same contact
+   * @p directory itself is, into @p state and the histories of @p problem. It must be the same mesh with the same contact
    * pairs, and no step may have been made yet: the pairings become valid when
    * the problem is configured for the first time.
    *
@@ -58,8 +57,7 @@ namespace stickslip
   CheckpointScalars
   load_checkpoint(const std::string   &directory,
                   ContactProblem<dim> &problem,
-                  LA::BlockVector     &x,
-                  LA::Vector          &nodal_forces);
+                  AcceptedState       &state);
 } // namespace stickslip
 
 #endif

@@ -21,6 +21,7 @@ namespace stickslip
     double              cut_factor      = 0.5;
     double              growth_factor   = 1.5;
     unsigned int        easy_iterations = 12;
+    std::string         predictor       = "linear";
     std::vector<double> requested_times;
 
     void

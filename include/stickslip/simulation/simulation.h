@@ -12,6 +12,7 @@
 
 #include <stickslip/problem/contact_problem.h>
 
+#include <stickslip/simulation/accepted_state.h>
 #include <stickslip/simulation/case_parameters.h>
 #include <stickslip/simulation/convergence_log.h>
 #include <stickslip/simulation/load_stepping.h>
@@ -50,8 +51,7 @@ namespace stickslip
     LoadStepping                  load_stepping;
 
     LA::BlockVector x;        ///< present state
-    LA::BlockVector accepted; ///< last accepted state
-    LA::Vector      accepted_forces;
+    AcceptedState   accepted; ///< last accepted state
     double          external_work = 0.;
     double          friction_work = 0.;
     unsigned int    n_cuts        = 0;
@@ -64,6 +64,10 @@ namespace stickslip
     StatisticsTable    resultant_table;
     ConvergenceLog     log;
     Progress           progress;
+
+    /// Sets x to a guess of the state at @p time.
+    void
+    predict(const double time);
 
     void
     solve_step(const double time);
