@@ -69,7 +69,7 @@ namespace stickslip
       r_t,
       "Tangential regularization parameter of the three roles that have no "
       "number of their own: a number, or with 'Scale = automatic' also "
-      "automatic, which is 0.5 where the contact points are the multiplier "
+      "automatic, which is 1 where the contact points are the multiplier "
       "nodes and 0.25 for other rules (the answer drifts with it there).");
     prm.add_parameter("r_n status",
                       r_n_status,

@@ -21,6 +21,12 @@ namespace stickslip
     /// How far beyond its tolerance such a residual may be.
     constexpr double roundoff_allowance = 100.;
 
+    /// Iterations without a clearly smaller residual after which an automatic
+    /// line search begins to act. Full steps often make the residual grow for
+    /// some iterations while the statuses find their places; a cycle of
+    /// statuses never makes it smaller again.
+    constexpr unsigned int patience = 6;
+
 
 
     double
@@ -80,8 +86,10 @@ namespace stickslip
                       line_search,
                       "none: full steps (halved only if a cell would invert). "
                       "backtracking: the step is halved while "
-                      "the residual grows.",
-                      Patterns::Selection("none|backtracking"));
+                      "the residual grows. automatic: full steps, and "
+                      "backtracking once six iterations have not made the "
+                      "residual smaller, as in a cycle of contact statuses.",
+                      Patterns::Selection("automatic|none|backtracking"));
     prm.add_parameter("Max halvings",
                       max_halvings,
                       "How often a step is halved by the line search, or "
@@ -118,7 +126,8 @@ namespace stickslip
   NewtonIteration
   NewtonSolver::advance(LA::BlockVector       &x,
                         const LA::BlockVector &increment,
-                        const NewtonIteration &before) const
+                        const NewtonIteration &before,
+                        const bool             backtrack) const
   {
     const LA::BlockVector start(x);
     NewtonIteration       best;
@@ -139,7 +148,7 @@ namespace stickslip
             continue;
           }
         state.step_length = step;
-        if (parameters.line_search == "none" || before.prescribed > 0. ||
+        if (!backtrack || before.prescribed > 0. ||
             merit(state) < (1. - 0.1 * step) * merit(before))
           return state;
         if (merit(state) < best_merit)
@@ -166,7 +175,10 @@ namespace stickslip
     operators.begin_iteration(x);
     NewtonIteration state = operators.residual(x);
     operators.report(0, state);
-    double first = merit(state);
+    double       first          = merit(state);
+    double       smallest       = std::numeric_limits<double>::max();
+    unsigned int without_better = 0;
+    bool         backtrack      = parameters.line_search == "backtracking";
     for (unsigned int iteration = 0; iteration < parameters.max_iterations;
          ++iteration)
       {
@@ -174,7 +186,7 @@ namespace stickslip
           return iteration;
         increment = 0.;
         operators.solve_increment(x, increment);
-        state           = advance(x, increment, state);
+        state           = advance(x, increment, state, backtrack);
         state.increment = relative_increment(x, increment);
         // the scales follow the pressure, so what they scale must be renewed
         operators.begin_iteration(x);
@@ -182,6 +194,10 @@ namespace stickslip
         first = std::max(first, merit(state) * (iteration == 0));
         if (merit(state) > divergence_factor * std::max(first, 1.))
           break;
+        without_better = merit(state) < 0.9 * smallest ? 0 : without_better + 1;
+        smallest       = std::min(smallest, merit(state));
+        if (parameters.line_search == "automatic" && without_better >= patience)
+          backtrack = true;
       }
     if (is_converged(parameters.max_iterations, state))
       return parameters.max_iterations;

@@ -17,7 +17,7 @@ namespace stickslip
     double       equilibrium_tolerance = 1e-8;
     double       contact_tolerance     = 1e-8;
     double       increment_tolerance   = 1e-3;
-    std::string  line_search           = "none";
+    std::string  line_search           = "automatic";
     unsigned int max_halvings          = 5;
 
     void
@@ -83,12 +83,13 @@ namespace stickslip
     is_converged(const unsigned int     iteration,
                  const NewtonIteration &state) const;
 
-    /// Adds a fraction of the increment to x that the model and, if asked for,
-    /// the residual accept; returns the new state.
+    /// Adds a fraction of the increment to x that the model and, with
+    /// @p backtrack, the residual accept; returns the new state.
     NewtonIteration
     advance(LA::BlockVector       &x,
             const LA::BlockVector &increment,
-            const NewtonIteration &before) const;
+            const NewtonIteration &before,
+            const bool             backtrack) const;
   };
 } // namespace stickslip
 
