@@ -3,6 +3,7 @@
 #include <stickslip/simulation/load_stepping.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace stickslip
@@ -52,12 +53,15 @@ namespace stickslip
                       predictor,
                       "Where Newton starts in a step. linear: the "
                       "displacements go on as in the "
-                      "last step (not after a cut). none: the accepted state.",
+                      "last step (not after a cut or a requested time). none: "
+                      "the accepted state.",
                       Patterns::Selection("linear|none"));
-    prm.add_parameter("Requested times",
-                      requested_times,
-                      "Times that steps must hit exactly.",
-                      Patterns::List(Patterns::Double()));
+    prm.add_parameter(
+      "Requested times",
+      requested_times,
+      "Times that steps must hit exactly, for instance where the "
+      "load changes its direction.",
+      Patterns::List(Patterns::Double()));
   }
 
 
@@ -101,6 +105,19 @@ namespace stickslip
   LoadStepping::finished() const
   {
     return current_time >= parameters.end_time * (1. - same_time);
+  }
+
+
+
+  bool
+  LoadStepping::is_at_requested_time() const
+  {
+    return std::any_of(parameters.requested_times.begin(),
+                       parameters.requested_times.end(),
+                       [this](const double time) {
+                         return std::abs(time - current_time) <=
+                                same_time * parameters.end_time;
+                       });
   }
 
 

@@ -87,8 +87,10 @@ namespace stickslip
   Simulation<dim>::predict(const double time)
   {
     x = accepted.x;
-    // What has failed once is tried anew without a guess.
-    if (parameters.load_stepping.predictor == "linear" && n_cuts == 0)
+    // What has failed once is tried anew without a guess, and at a requested
+    // time the load may turn.
+    if (parameters.load_stepping.predictor == "linear" && n_cuts == 0 &&
+        !load_stepping.is_at_requested_time())
       x.block(0).add(time - load_stepping.time(), accepted.rate);
   }
 

@@ -11,8 +11,9 @@ namespace stickslip
   using namespace dealii;
 
   /// Dimensionless r_t where the user gives none. Nodal quadrature: GNM takes
-  /// the fewest iterations with 1 to 2 where surfaces slide, and cuts steps with
-  /// 0.25 and 0.5. Other rules: smaller, because the answer drifts with it.
+  /// the fewest iterations with 1 to 2 where surfaces slide, and cuts steps
+  /// with 0.25 and 0.5. Other rules: smaller, because the answer drifts with
+  /// it.
   inline double
   automatic_r_t(const std::string &quadrature)
   {

@@ -62,6 +62,10 @@ namespace stickslip
     void
     resume(const double time, const double step_size, const unsigned int step);
 
+    /// True where the load may change its direction: at a requested time.
+    bool
+    is_at_requested_time() const;
+
     double
     time() const
     {
