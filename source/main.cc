@@ -60,12 +60,29 @@ namespace
 
 
 
+  /// Reads the case that the command line names, also into @p prm.
+  void
+  read_case(const CommandLine &command_line,
+            CaseParameters    &parameters,
+            ParameterHandler  &prm)
+  {
+    ParameterFile file(command_line.parameter_file, MPI_COMM_WORLD);
+    for (const std::string &assignment : command_line.overrides)
+      file.override_with(assignment);
+    parameters.read(file, prm);
+  }
+
+
+
   void
   print_all_parameters(const CommandLine &command_line)
   {
     CaseParameters   parameters;
     ParameterHandler prm;
-    CaseParameters::declare_all(parameters, prm);
+    if (command_line.parameter_file.empty())
+      CaseParameters::declare_all(parameters, prm);
+    else
+      read_case(command_line, parameters, prm);
     if (is_speaker())
       print_parameters(std::cout, prm, command_line.format);
   }
@@ -92,11 +109,9 @@ namespace
           break;
       }
 
-    ParameterFile file(command_line.parameter_file, MPI_COMM_WORLD);
-    for (const std::string &assignment : command_line.overrides)
-      file.override_with(assignment);
-    CaseParameters parameters;
-    parameters.read(file);
+    CaseParameters   parameters;
+    ParameterHandler prm;
+    read_case(command_line, parameters, prm);
     if (!command_line.output_directory.empty())
       parameters.output.directory = command_line.output_directory;
     if (command_line.is_quiet)

@@ -64,6 +64,12 @@ CASES = {
     "wrong expression": (
         "plate.prm", "subsection Boundary conditions\n subsection top\n set Value = 50*q\n end\nend",
         WRONG_INPUT, ["Boundary conditions/top/Value", "50*q"]),
+    "a displacement that is not a number": (
+        "block.prm", material("linear elastic") + "subsection Boundary conditions\n subsection x1\n set Value = sqrt(-t); free; free\n end\nend",
+        WRONG_INPUT, ["Boundary conditions/x1", "not a number", "time"]),
+    "a load that is not a number": (
+        "plate.prm", "subsection Boundary conditions\n subsection top\n set Value = 50*sqrt(-t)\n end\nend",
+        WRONG_INPUT, ["Boundary conditions", "A load", "not a number", "time 1"]),
     "fewer contact points than multipliers": (
         "plate.prm", "set Degree = 2\nsubsection Contact\n subsection base\n set Quadrature = Gauss\n set Quadrature order = 2\n end\nend",
         WRONG_INPUT, ["Contact/base/Quadrature", "Quadrature order", "2 contact points", "3 multipliers", "Multiplier space", "Degree"]),

@@ -240,8 +240,8 @@ Options:
   --output-directory DIRECTORY  write results there
   --restart DIRECTORY|latest    continue from a checkpoint
   --validate                    check the parameter file and stop
-  --print-parameters [FORMAT]   print all parameters with their documentation,
-                                those of case.prm if it is given;
+  --print-parameters [FORMAT]   print all parameters with their documentation;
+                                with case.prm its own, with their values;
                                 FORMAT: prm (default), json, markdown
   --quiet                       print warnings and errors only
   --version                     print the version
@@ -251,7 +251,7 @@ Examples:
   stickslip parameters/quickstart.prm
   stickslip case.prm --set "Dimension=3" --output-directory results
   stickslip --validate case.prm
-  stickslip --print-parameters > all.prm
+  stickslip case.prm --print-parameters > complete.prm
 
 Exit codes:
   0  done

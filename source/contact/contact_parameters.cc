@@ -205,9 +205,10 @@ namespace stickslip
     prm.add_parameter(
       "Projection tolerance",
       projection_tolerance,
-      "How far beyond the end of the master surface a slave "
-      "point may lie to be paired with it, as a fraction of the "
-      "face size.",
+      "How far beyond the end of the master surface, as a fraction of the face "
+      "size, a slave point may lie sideways to be paired with it; 0.8 times "
+      "its distance from the master is added (so 5 times this in all for a "
+      "point level with the surface).",
       Patterns::Double(0.));
     prm.add_parameter(
       "Facet overlap",

@@ -111,6 +111,15 @@ namespace stickslip
 
 
   void
+  Progress::warn(const std::string &text)
+  {
+    if (is_active)
+      out << "  Warning: " << text << std::endl;
+  }
+
+
+
+  void
   Progress::finished(const unsigned int n_steps)
   {
     if (!is_active)

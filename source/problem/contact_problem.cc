@@ -255,6 +255,12 @@ namespace stickslip
                         communicator,
                         ArrayView<double>(squares.data(), squares.size()));
 
+    if (std::isnan(squares[2]))
+      throw UserError(
+        "A load (traction, pressure, spring or body force in 'Boundary "
+        "conditions') is not a number at time " +
+        std::to_string(time) + ".");
+
     ResidualNorms norms;
     norms.equilibrium =
       std::sqrt(squares[0]) /

@@ -73,7 +73,7 @@ namespace stickslip
 
 
   void
-  CaseParameters::read(const ParameterFile &file)
+  CaseParameters::read(const ParameterFile &file, ParameterHandler &prm)
   {
     file.declare_names("Bodies", bodies);
     file.declare_names("Materials", materials);
@@ -87,7 +87,6 @@ namespace stickslip
         material.choose_law(file.value_of(path, "Law").value_or(material.law),
                             path);
       }
-    ParameterHandler prm;
     add_parameters(prm);
     file.apply_to(prm);
     mesh.input_directory = file.directory();

@@ -29,6 +29,23 @@ namespace stickslip
 
 
   void
+  FinalResults::add_of_pair(const std::string &pair,
+                            const std::string &name,
+                            const double       value)
+  {
+    const std::string full     = pair + "." + name;
+    const bool        is_force = name.find("force") != std::string::npos;
+    const bool is_vector = name.size() > 2 && name[name.size() - 2] == '_';
+    add(is_force    ? "force"
+        : is_vector ? full.substr(0, full.size() - 2)
+                    : full,
+        full,
+        value);
+  }
+
+
+
+  void
   FinalResults::print(std::ostream &out) const
   {
     std::map<std::string, double> largest;

@@ -37,6 +37,7 @@ namespace stickslip
     , load_stepping(parameters.load_stepping)
     , x(problem.zero_state())
     , accepted{x, x.block(0), x.block(0)}
+    , warnings(parameters.contact_pairs)
     , field_output(parameters.output, mesh.bodies, communicator)
     , contact_output(parameters.output, communicator)
     , point_values(parameters.output, mesh.bodies, communicator)
@@ -186,6 +187,11 @@ namespace stickslip
                                  communicator);
     for (const auto &pair : resultants)
       friction_work -= pair.friction_work;
+    for (const std::string &text : warnings.of_step(resultants))
+      {
+        log.note("warning: " + text);
+        progress.warn(text);
+      }
     write_statistics(resultants);
     write_results(faces);
     progress.accepted_step(load_stepping.step_number(),
@@ -370,19 +376,7 @@ namespace stickslip
                                  communicator);
     for (unsigned int p = 0; p < resultants.size(); ++p)
       for (const auto &[name, value] : resultants[p].named_values())
-        {
-          // what is roundoff shows beside forces, or the other components
-          const std::string full =
-            parameters.contact_pairs[p].first + "." + name;
-          const bool is_force = name.find("force") != std::string::npos;
-          const bool is_vector =
-            name.size() > 2 && name[name.size() - 2] == '_';
-          results.add(is_force    ? "force"
-                      : is_vector ? full.substr(0, full.size() - 2)
-                                  : full,
-                      full,
-                      value);
-        }
+        results.add_of_pair(parameters.contact_pairs[p].first, name, value);
     results.add("work", "external_work", external_work);
     results.add("work", "friction_work", friction_work);
     std::ostringstream text;

@@ -83,8 +83,9 @@ namespace stickslip
       add_component_rows(HeldNode<dim> &node, const unsigned int condition);
 
       void
-      report_curved_boundary(const unsigned int condition,
-                             const Point<dim>  &position);
+      report(const unsigned int condition,
+             const Point<dim>  &position,
+             const std::string &problem);
 
       const DoFHandler<dim>                          &dof_handler;
       const Bodies                                   &bodies;
@@ -183,7 +184,9 @@ namespace stickslip
       Tensor<1, dim> normal = face_values.normal_vector(0);
       for (const unsigned int q : face_values.quadrature_point_indices())
         if ((face_values.normal_vector(q) - normal).norm() > 1e-4)
-          report_curved_boundary(condition, cell->face(face)->center());
+          report(condition,
+                 cell->face(face)->center(),
+                 "the symmetry boundary is not plane");
 
       // Boundaries along the axes hold exactly one component.
       for (unsigned int d = 0; d < dim; ++d)
@@ -244,7 +247,9 @@ namespace stickslip
             if (cosine > 1. - 1e-8)
               return; // another face of the same plane
             if (cosine > 0.87)
-              report_curved_boundary(condition, node.position);
+              report(condition,
+                     node.position,
+                     "the symmetry boundary is not plane");
           }
       node.rows.push_back({normal, 0., condition});
     }
@@ -266,6 +271,8 @@ namespace stickslip
       const Tensor<1, dim> displacement =
         is_rigid_motion ? prescribed.motion.displacement(node.position, time)
                         : prescribed.value->vector(node.position, time);
+      if (!std::isfinite(displacement.norm()))
+        report(condition, node.position, "its value is not a number");
       for (unsigned int d = 0; d < dim; ++d)
         if (is_rigid_motion || !prescribed.value->is_free(d))
           {
@@ -279,14 +286,15 @@ namespace stickslip
 
     template <int dim>
     void
-    HeldNodeCollector<dim>::report_curved_boundary(const unsigned int condition,
-                                                   const Point<dim>  &position)
+    HeldNodeCollector<dim>::report(const unsigned int condition,
+                                   const Point<dim>  &position,
+                                   const std::string &problem)
     {
       if (!error.empty())
         return;
       std::ostringstream text;
-      text << "Boundary conditions/" << conditions[condition].name
-           << ": the symmetry boundary is not plane near (" << position << ").";
+      text << "Boundary conditions/" << conditions[condition].name << ": "
+           << problem << " at (" << position << "), time " << time << '.';
       error = text.str();
     }
   } // namespace

@@ -113,8 +113,10 @@ namespace
   {
     Tower(const int degree, const double gap)
     {
-      parameters.read(
-        ParameterFile::from_string(tower(dim, degree, gap), "tower"));
+      ParameterHandler prm;
+      parameters.read(ParameterFile::from_string(tower(dim, degree, gap),
+                                                 "tower"),
+                      prm);
       mesh = std::make_unique<Mesh<dim>>(build_mesh<dim>(
         parameters.mesh, parameters.bodies, {}, MPI_COMM_WORLD));
       problem =

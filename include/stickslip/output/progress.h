@@ -43,6 +43,10 @@ namespace stickslip
                   const std::string &reason,
                   const double       step_size);
 
+    /// Something that looks wrong although the run goes on.
+    void
+    warn(const std::string &text);
+
     /// The run is complete after @p n_steps steps.
     void
     finished(const unsigned int n_steps);

@@ -49,9 +49,10 @@ namespace stickslip
     // ParameterHandler keeps references to the members.
     CaseParameters(const CaseParameters &) = delete;
 
-    /// Reads and checks a case. Throws UserError, the same on all ranks.
+    /// Reads and checks a case. @p prm, empty before, then has all its
+    /// parameters. Throws UserError, the same on all ranks.
     void
-    read(const ParameterFile &file);
+    read(const ParameterFile &file, ParameterHandler &prm);
 
     /// Everything that can be set, with placeholder names such as <body>.
     static void

@@ -21,6 +21,13 @@ namespace stickslip
     void
     add(const std::string &family, const std::string &name, const double value);
 
+    /// A resultant of the contact pair @p pair. Forces of all pairs are
+    /// compared with each other, other vectors with their components.
+    void
+    add_of_pair(const std::string &pair,
+                const std::string &name,
+                const double       value);
+
     const NamedValues &
     values() const
     {

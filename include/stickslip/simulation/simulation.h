@@ -14,6 +14,7 @@
 
 #include <stickslip/simulation/accepted_state.h>
 #include <stickslip/simulation/case_parameters.h>
+#include <stickslip/simulation/contact_warnings.h>
 #include <stickslip/simulation/convergence_log.h>
 #include <stickslip/simulation/load_stepping.h>
 
@@ -55,6 +56,7 @@ namespace stickslip
     double          external_work = 0.;
     double          friction_work = 0.;
     unsigned int    n_cuts        = 0;
+    ContactWarnings warnings;
     SolveCounts     failed; ///< of steps that were cut since the last accepted
 
     FieldOutput<dim>   field_output;

@@ -1,0 +1,33 @@
+#ifndef stickslip_simulation_contact_warnings_h
+#define stickslip_simulation_contact_warnings_h
+
+#include <stickslip/base/parameter_file.h>
+
+#include <stickslip/contact/contact_parameters.h>
+
+#include <stickslip/output/contact_resultants.h>
+
+#include <string>
+#include <vector>
+
+namespace stickslip
+{
+  /// Looks for accepted steps that are probably not what the user wants.
+  class ContactWarnings
+  {
+  public:
+    explicit ContactWarnings(const NamedList<ContactPairParameters> &pairs);
+
+    /// Texts about the step with these resultants, one per pair. A pair is
+    /// reported when it gets into a strange state, not while it stays there.
+    template <int dim>
+    std::vector<std::string>
+    of_step(const std::vector<ContactResultants<dim>> &resultants);
+
+  private:
+    std::vector<std::string> names;
+    std::vector<bool>        is_paired; ///< any point, at the last step
+  };
+} // namespace stickslip
+
+#endif

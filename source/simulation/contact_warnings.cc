@@ -1,0 +1,40 @@
+#include <stickslip/simulation/contact_warnings.h>
+
+namespace stickslip
+{
+  ContactWarnings::ContactWarnings(
+    const NamedList<ContactPairParameters> &pairs)
+    : is_paired(pairs.size(), true)
+  {
+    for (const auto &pair : pairs)
+      names.push_back(pair.first);
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  ContactWarnings::of_step(
+    const std::vector<ContactResultants<dim>> &resultants)
+  {
+    std::vector<std::string> texts;
+    for (unsigned int p = 0; p < resultants.size(); ++p)
+      {
+        const bool was_paired = is_paired[p];
+        is_paired[p] = resultants[p].n_unpaired < resultants[p].n_points;
+        if (was_paired && !is_paired[p])
+          texts.push_back("no point of contact pair '" + names[p] +
+                          "' has a master face opposite and near it: the slave "
+                          "is far away, has slid off the master or has fallen "
+                          "through it.");
+      }
+    return texts;
+  }
+
+
+
+  template std::vector<std::string>
+  ContactWarnings::of_step(const std::vector<ContactResultants<2>> &);
+  template std::vector<std::string>
+  ContactWarnings::of_step(const std::vector<ContactResultants<3>> &);
+} // namespace stickslip
