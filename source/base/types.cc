@@ -20,7 +20,10 @@ namespace stickslip
       list.set("aggregation: threshold", 0.);
       list.set("aggregation: damping factor", 4. / 3.);
       list.set("eigen-analysis: type", "cg");
-      list.set("smoother: type", "symmetric Gauss-Seidel");
+      list.set("smoother: type", "Gauss-Seidel");
+      // forwards before, backwards after: as symmetric as symmetric sweeps,
+      // at half the price of a cycle and far from twice as many cycles
+      list.set("smoother: Gauss-Seidel efficient symmetric", true);
       list.set("smoother: sweeps", 2);
       list.set("smoother: damping factor", 1.);
       list.set("smoother: pre or post", "both");

@@ -116,8 +116,9 @@ namespace stickslip
                              norms.prescribed};
     };
     newton.solve_increment = [this](const LA::BlockVector &state,
+                                    const double           sufficient,
                                     LA::BlockVector       &increment) {
-      solve_increment(state, increment);
+      solve_increment(state, sufficient, increment);
     };
     newton.is_admissible = [this](std::string &reason) {
       return problem.state_is_admissible(reason);
@@ -144,6 +145,7 @@ namespace stickslip
   template <int dim>
   void
   Simulation<dim>::solve_increment(const LA::BlockVector &state,
+                                   const double           sufficient,
                                    LA::BlockVector       &increment)
   {
     problem.assemble(state);
@@ -152,6 +154,7 @@ namespace stickslip
       problem.matrix(),
       [this]() -> const auto & { return problem.describe_system(); },
       problem.right_hand_side(),
+      sufficient,
       increment,
       problem.counts);
     if (!note.empty())

@@ -88,8 +88,8 @@ namespace stickslip
 
     /**
      * Algebraic multigrid by smoothed aggregation (ML): V-cycles with two
-     * symmetric Gauss-Seidel sweeps before and after, a direct solver on the
-     * coarsest level.
+     * Gauss-Seidel sweeps forwards before and two backwards after (a symmetric
+     * cycle), a direct solver on the coarsest level.
      */
     class AlgebraicMultigrid
     {
