@@ -105,8 +105,11 @@ namespace stickslip
       "How exactly an iterative linear solver works. none: always to its "
       "'Relative tolerance'. Eisenstat-Walker: to what the Newton iteration "
       "can "
-      "make use of, at least two digits. MUMPS is exact anyway.",
-      Patterns::Selection("Eisenstat-Walker|none"));
+      "make use of, at least two digits; faster, but the first iterations take "
+      "another path, which can end in another step size or, with friction, in "
+      "another state, above all of bodies that only contact holds. MUMPS is "
+      "exact anyway.",
+      Patterns::Selection("none|Eisenstat-Walker"));
   }
 
 

@@ -19,7 +19,7 @@ namespace stickslip
     double       increment_tolerance   = 1e-3;
     std::string  line_search           = "automatic";
     unsigned int max_halvings          = 5;
-    std::string  forcing               = "Eisenstat-Walker";
+    std::string  forcing               = "none";
 
     void
     add_parameters(ParameterHandler &prm);
