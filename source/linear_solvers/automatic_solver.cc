@@ -62,14 +62,16 @@ namespace stickslip
 
 
   LinearSolve
-  AutomaticSolver::solve(LA::BlockVector &x, const LA::BlockVector &b)
+  AutomaticSolver::solve(LA::BlockVector       &x,
+                         const LA::BlockVector &b,
+                         const double           sufficient)
   {
     if (is_direct)
-      return direct.solve(x, b);
+      return direct.solve(x, b, sufficient);
     if (failure.empty())
       try
         {
-          return iterative.solve(x, b);
+          return iterative.solve(x, b, sufficient);
         }
       catch (const NoConvergence &error)
         {
@@ -77,7 +79,7 @@ namespace stickslip
         }
     DirectSolver instead; // its memory is needed now and then only
     instead.setup(*matrix, describe);
-    LinearSolve result      = instead.solve(x, b);
+    LinearSolve result      = instead.solve(x, b, sufficient);
     result.direct_fallbacks = 1;
     result.note             = failure + "; solved by MUMPS";
     return result;

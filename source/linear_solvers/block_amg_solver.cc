@@ -22,6 +22,13 @@ namespace stickslip
 
 
 
+    /// Solves to less than this reduction of the residual are short: an
+    /// outdated hierarchy costs them less than its renewal would (about ten
+    /// iterations).
+    constexpr double loose_reduction = 1e-4;
+
+
+
     /// y = A x without the empty blocks of a problem without contact.
     void
     apply(const LA::BlockSparseMatrix &matrix,
@@ -73,6 +80,7 @@ namespace stickslip
     multigrid.clear();
     if (has_multipliers)
       {
+        augmented_matrix.clear();
         augmentation.build_matrix(augmented_matrix);
         built_stiffness = augmentation.added_stiffness();
         multigrid.reinit(augmented_matrix, *description);
@@ -82,7 +90,8 @@ namespace stickslip
     near_null_space = description->near_null_space;
     is_fresh        = true;
     rebuild         = false;
-    best            = 0;
+    best            = 0.;
+    is_outdated     = false;
     ++n_new;
   }
 
@@ -137,8 +146,10 @@ namespace stickslip
       zone.factorise(system, new_layout);
     // without contact the hierarchy refers to the matrix itself
     if (description->near_null_space != near_null_space || rebuild ||
-        !has_multipliers || hierarchy_is_outdated())
+        !has_multipliers)
       build_hierarchy();
+    else
+      is_outdated = hierarchy_is_outdated();
   }
 
 
@@ -190,19 +201,27 @@ namespace stickslip
 
 
   LinearSolve
-  BlockAmgSolver::solve(LA::BlockVector &x, const LA::BlockVector &b)
+  BlockAmgSolver::solve(LA::BlockVector       &x,
+                        const LA::BlockVector &b,
+                        const double           sufficient)
   {
     LA::BlockVector rhs(b);
     rhs.block(1).scale(row_scale);
-    const double tolerance = parameters.relative_tolerance * rhs.l2_norm();
+    const double reduction =
+      std::max(parameters.relative_tolerance, std::min(sufficient, 0.1));
+    const double digits    = -std::log10(reduction);
+    const double tolerance = reduction * rhs.l2_norm();
     x                      = 0.;
+    if (is_outdated && !is_fresh && reduction < loose_reduction)
+      build_hierarchy();
     LinearSolve result;
     bool        converged = tolerance == 0.;
     if (!converged && !is_fresh)
       {
         // give an old hierarchy up early
         const unsigned int patience =
-          std::min(parameters.max_iterations, 2 * best + 4 * usual_variation);
+          std::min<double>(parameters.max_iterations,
+                           2. * best * digits + 4 * usual_variation);
         result.iterations = iterate(x, rhs, tolerance, patience, converged);
         if (!converged)
           build_hierarchy();
@@ -220,16 +239,18 @@ namespace stickslip
       {
         rebuild = true;
         std::ostringstream text;
-        text << "no convergence to " << parameters.relative_tolerance << " in "
-             << iterations << " iterations";
+        text << "no convergence to " << reduction << " in " << iterations
+             << " iterations";
         throw NoConvergence("Linear solver (block AMG)", text.str());
       }
+    const double per_digit = iterations / digits;
     if (is_fresh)
-      best = iterations;
-    best    = std::min(best, iterations);
-    rebuild = parameters.rebuild_factor == 0. ||
-              iterations > std::max<double>(parameters.rebuild_factor * best,
-                                            best + usual_variation);
+      best = per_digit;
+    best                  = std::min(best, per_digit);
+    const double expected = best * digits;
+    rebuild               = parameters.rebuild_factor == 0. ||
+              iterations > std::max(parameters.rebuild_factor * expected,
+                                    expected + usual_variation);
     return result;
   }
 } // namespace stickslip

@@ -142,7 +142,9 @@ namespace stickslip
 
 
   LinearSolve
-  DirectSolver::solve(LA::BlockVector &x, const LA::BlockVector &b)
+  DirectSolver::solve(LA::BlockVector       &x,
+                      const LA::BlockVector &b,
+                      const double /*sufficient*/)
   {
     const IndexSet owned        = merged.locally_owned_range_indices();
     const MPI_Comm communicator = merged.get_mpi_communicator();

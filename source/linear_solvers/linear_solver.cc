@@ -55,10 +55,12 @@ namespace stickslip
                       largest_direct_system,
                       "automatic: unknowns up to which MUMPS is used; "
                       "'automatic' takes what was measured to be faster.");
-    prm.add_parameter("Relative tolerance",
-                      relative_tolerance,
-                      "block AMG: of the residual, beside the right hand side.",
-                      Patterns::Double(1e-14, 0.1));
+    prm.add_parameter(
+      "Relative tolerance",
+      relative_tolerance,
+      "block AMG: of the residual, beside the right hand side. Early "
+      "Newton iterations may need less ('Forcing').",
+      Patterns::Double(1e-14, 0.1));
     prm.add_parameter("Maximum iterations",
                       max_iterations,
                       "block AMG: after these the iteration counts as failed.",
@@ -105,6 +107,7 @@ namespace stickslip
   LinearSolver::solve_system(const LA::BlockSparseMatrix &matrix,
                              const SystemDescriber       &describe,
                              const LA::BlockVector       &b,
+                             const double                 sufficient,
                              LA::BlockVector             &x,
                              SolveCounts                 &counts)
   {
@@ -112,7 +115,7 @@ namespace stickslip
     setup(matrix, describe);
     counts.setup_seconds += timer.wall_time();
     timer.restart();
-    const LinearSolve result = solve(x, b);
+    const LinearSolve result = solve(x, b, sufficient);
     counts.solve_seconds += timer.wall_time();
     counts.linear_iterations += result.iterations;
     counts.multigrid_setups += result.multigrid_setups;

@@ -119,8 +119,9 @@ namespace stickslip
                              norms.prescribed};
     };
     newton.solve_increment = [this](const LA::BlockVector &state,
+                                    const double           sufficient,
                                     LA::BlockVector       &increment) {
-      solve_increment(state, increment);
+      solve_increment(state, sufficient, increment);
     };
     newton.is_admissible = [this](std::string &reason) {
       return problem.state_is_admissible(reason);
@@ -147,6 +148,7 @@ namespace stickslip
   template <int dim>
   void
   Simulation<dim>::solve_increment(const LA::BlockVector &state,
+                                   const double           sufficient,
                                    LA::BlockVector       &increment)
   {
     problem.assemble(state);
@@ -155,6 +157,7 @@ namespace stickslip
       problem.matrix(),
       [this]() -> const auto & { return problem.describe_system(); },
       problem.right_hand_side(),
+      sufficient,
       increment,
       problem.counts);
     if (!note.empty())

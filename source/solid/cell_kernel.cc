@@ -1,9 +1,48 @@
 #include <stickslip/solid/cell_kernel.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <algorithm>
+#include <type_traits>
 
 namespace stickslip
 {
+  namespace
+  {
+    /// K_(a i)(k b) += G_aJ A_iJkL G_bL for @p n nodes.
+    template <int dim, typename Number>
+    void
+    add_products(const Number        n,
+                 const double *const G,
+                 const double (&A)[dim][dim][dim][dim],
+                 double *const K)
+    {
+      for (unsigned int a = 0; a < n; ++a)
+        for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int k = 0; k < dim; ++k)
+            {
+              double G_A[dim]; // G_aJ A_iJkL for this a, i, k
+              for (unsigned int L = 0; L < dim; ++L)
+                {
+                  G_A[L] = 0.;
+                  for (unsigned int J = 0; J < dim; ++J)
+                    G_A[L] += G[J * n + a] * A[i][J][k][L];
+                }
+              double *const block = K + ((a * dim + i) * dim + k) * n;
+              DEAL_II_OPENMP_SIMD_PRAGMA
+              for (unsigned int b = 0; b < n; ++b)
+                {
+                  double sum = block[b];
+                  for (unsigned int L = 0; L < dim; ++L)
+                    sum += G_A[L] * G[L * n + b];
+                  block[b] = sum;
+                }
+            }
+    }
+  } // namespace
+
+
+
   template <int dim>
   ElementArrays<dim>::ElementArrays(const FiniteElement<dim> &fe)
     : internal(fe.n_dofs_per_cell())
@@ -126,27 +165,22 @@ namespace stickslip
           for (unsigned int L = 0; L < dim; ++L)
             A[i][J][k][L] = dP_dF[i][J][k][L] * JxW;
 
-    const unsigned int n = n_nodes;
-    const double      *G = gradients.data();
-    for (unsigned int a = 0; a < n; ++a)
-      for (unsigned int i = 0; i < dim; ++i)
-        {
-          double *row = stiffness_row(a, i);
-          for (unsigned int k = 0; k < dim; ++k)
-            {
-              double G_A[dim]; // G_aJ A_iJkL for this a, i, k
-              for (unsigned int L = 0; L < dim; ++L)
-                {
-                  G_A[L] = 0.;
-                  for (unsigned int J = 0; J < dim; ++J)
-                    G_A[L] += G[J * n + a] * A[i][J][k][L];
-                }
-              double *block = row + k * n;
-              for (unsigned int b = 0; b < n; ++b)
-                for (unsigned int L = 0; L < dim; ++L)
-                  block[b] += G_A[L] * G[L * n + b];
-            }
-        }
+    // Loops of a length that the compiler knows are faster.
+    constexpr unsigned int linear    = Utilities::pow(2, dim);
+    constexpr unsigned int quadratic = Utilities::pow(3, dim);
+    const double          *G         = gradients.data();
+    if (n_nodes == linear)
+      add_products<dim>(std::integral_constant<unsigned int, linear>(),
+                        G,
+                        A,
+                        stiffness.data());
+    else if (n_nodes == quadratic)
+      add_products<dim>(std::integral_constant<unsigned int, quadratic>(),
+                        G,
+                        A,
+                        stiffness.data());
+    else
+      add_products<dim>(n_nodes, G, A, stiffness.data());
   }
 
 

@@ -21,7 +21,9 @@ namespace stickslip
           const SystemDescriber       &describe) override;
 
     LinearSolve
-    solve(LA::BlockVector &x, const LA::BlockVector &b) override;
+    solve(LA::BlockVector       &x,
+          const LA::BlockVector &b,
+          const double           sufficient) override;
 
   private:
     const LinearSolverParameters parameters;

@@ -15,8 +15,9 @@ namespace stickslip
    * approximated.
    *
    * The multigrid hierarchy is kept while constraints and most of the
-   * augmentation stay, until an iteration takes `Rebuild factor` times as long
-   * as the best one with it; the zone is factorised for every matrix.
+   * augmentation stay (loose solves also do with less), until an iteration
+   * takes `Rebuild factor` times as long by digit as the best one with it; the
+   * zone is factorised for every matrix.
    */
   class BlockAmgSolver : public LinearSolver
   {
@@ -28,7 +29,9 @@ namespace stickslip
           const SystemDescriber       &describe) override;
 
     LinearSolve
-    solve(LA::BlockVector &x, const LA::BlockVector &b) override;
+    solve(LA::BlockVector       &x,
+          const LA::BlockVector &b,
+          const double           sufficient) override;
 
     /// The preconditioner, for rows scaled as in the iteration. Collective.
     void
@@ -54,10 +57,11 @@ namespace stickslip
     LA::Vector              row_scale, inverse_row_scale;
     mutable LA::BlockVector unscaled, residual;
 
-    bool         is_fresh = false; ///< the hierarchy is of this matrix
-    bool         rebuild  = true;
-    unsigned int best     = 0; ///< iterations with this hierarchy
-    unsigned int n_new    = 0; ///< hierarchies since the last solve
+    bool         is_fresh    = false; ///< the hierarchy is of this matrix
+    bool         rebuild     = true;
+    bool         is_outdated = false; ///< see hierarchy_is_outdated()
+    double       best        = 0.; ///< iterations by digit with this hierarchy
+    unsigned int n_new       = 0;  ///< hierarchies since the last solve
 
     void
     build_hierarchy();

@@ -24,7 +24,9 @@ namespace stickslip
           const SystemDescriber       &describe) override;
 
     LinearSolve
-    solve(LA::BlockVector &x, const LA::BlockVector &b) override;
+    solve(LA::BlockVector       &x,
+          const LA::BlockVector &b,
+          const double           sufficient) override;
 
   private:
     /// Where a rank's rows of each block start in the merged numbering.

@@ -60,9 +60,13 @@ namespace stickslip
     setup(const LA::BlockSparseMatrix &matrix,
           const SystemDescriber       &describe) = 0;
 
-    /// Solves for @p x (its value does not matter).
+    /// Solves for @p x (its value does not matter). A residual of
+    /// @p sufficient, beside that of b, will do; iterations stop at the larger
+    /// one of this and their `Relative tolerance`.
     virtual LinearSolve
-    solve(LA::BlockVector &x, const LA::BlockVector &b) = 0;
+    solve(LA::BlockVector       &x,
+          const LA::BlockVector &b,
+          const double           sufficient) = 0;
 
     /// setup() and solve(), with times and counts added to @p counts. Returns
     /// what the log should say, mostly nothing.
@@ -70,6 +74,7 @@ namespace stickslip
     solve_system(const LA::BlockSparseMatrix &matrix,
                  const SystemDescriber       &describe,
                  const LA::BlockVector       &b,
+                 const double                 sufficient,
                  LA::BlockVector             &x,
                  SolveCounts                 &counts);
   };

@@ -75,7 +75,9 @@ namespace stickslip
     solve_step(const double time);
 
     void
-    solve_increment(const LA::BlockVector &state, LA::BlockVector &increment);
+    solve_increment(const LA::BlockVector &state,
+                    const double           sufficient,
+                    LA::BlockVector       &increment);
 
     void
     accept_step();

@@ -19,6 +19,7 @@ namespace stickslip
     double       increment_tolerance   = 1e-3;
     std::string  line_search           = "automatic";
     unsigned int max_halvings          = 5;
+    std::string  forcing               = "none";
 
     void
     add_parameters(ParameterHandler &prm);
@@ -45,8 +46,11 @@ namespace stickslip
     std::function<void(const LA::BlockVector &x)> begin_iteration;
     /// Fills the first three entries; with live quantities recomputed.
     std::function<NewtonIteration(const LA::BlockVector &x)> residual;
-    /// Solves the linearized problem at x for the increment.
-    std::function<void(const LA::BlockVector &x, LA::BlockVector &increment)>
+    /// Solves the linearized problem at x for the increment; a relative
+    /// residual of @p sufficient will do.
+    std::function<void(const LA::BlockVector &x,
+                       const double           sufficient,
+                       LA::BlockVector       &increment)>
       solve_increment;
     /// False (with the reason) if the last residual was outside of what the
     /// model can represent, for example an inverted cell.
@@ -78,6 +82,20 @@ namespace stickslip
   private:
     const NewtonParameters parameters;
     const NewtonOperators  operators;
+
+    /// The largest residual beside its tolerance.
+    double
+    excess(const NewtonIteration &state) const;
+
+    /**
+     * Relative linear residual that the iteration from @p state needs: choice 2
+     * of Eisenstat and Walker, "Choosing the forcing terms in an inexact Newton
+     * method", SIAM J. Sci. Comput. 17 (1996), with gamma = 0.9 and exponent 2,
+     * but no more than a tenth of what the tolerances need. 0 without forcing.
+     */
+    double
+    sufficient_reduction(const NewtonIteration &before,
+                         const NewtonIteration &state) const;
 
     bool
     is_converged(const unsigned int     iteration,
