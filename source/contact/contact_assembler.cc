@@ -1,8 +1,6 @@
 #include <stickslip/contact/contact_assembler.h>
 #include <stickslip/contact/tangent_stabilization.h>
 
-#include <deal.II/base/mpi.h>
-
 namespace stickslip
 {
   template <int dim>
@@ -198,11 +196,16 @@ namespace stickslip
                                              scratch.kinematics.d_n,
                                              point.regularization)
                                  : point.closed);
+    if (point.frame.paired && point.cure.held_closed)
+      result.closed = *point.cure.held_closed;
     if (result.closed && pair.parameters.has_friction())
       result.stick = is_stick(tangential_vector<dim>(scratch.multipliers.Lambda,
                                                      scratch.kinematics.tau),
                               scratch.kinematics.d_t,
                               point.regularization);
+    if (result.closed && pair.parameters.has_friction() &&
+        point.cure.held_stick)
+      result.stick = *point.cure.held_stick;
     return result;
   }
 
@@ -336,9 +339,10 @@ namespace stickslip
   {
     Vector<double> local;
     for (const auto &pair : pairs)
-      for (const auto &point : pair->points)
+      for (auto &point : pair->points)
         {
           evaluate_point(*pair, point, false, false);
+          point.observed  = observe(point, scratch);
           const auto dofs = point_dofs(*pair, point);
           local.reinit(dofs.size());
           local_residual(element_of(*pair, point), scratch, local);
@@ -372,9 +376,10 @@ namespace stickslip
     Vector<double>     local;
     FullMatrix<double> local_matrix;
     for (const auto &pair : pairs)
-      for (const auto &point : pair->points)
+      for (auto &point : pair->points)
         {
           evaluate_point(*pair, point, linearize_geometry, true);
+          point.observed = observe(point, scratch);
           if (pair->parameters.has_friction())
             assume_stick_before_first_pressure(point, scratch);
           const auto dofs = point_dofs(*pair, point);

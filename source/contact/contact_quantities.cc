@@ -7,6 +7,22 @@
 
 namespace stickslip
 {
+  namespace
+  {
+    /// splitmix64 (Steele, Lea and Flood, OOPSLA 2014): a bijection whose
+    /// values look random.
+    std::uint64_t
+    scrambled(std::uint64_t value)
+    {
+      value += 0x9e3779b97f4a7c15;
+      value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9;
+      value = (value ^ (value >> 27)) * 0x94d049bb133111eb;
+      return value ^ (value >> 31);
+    }
+  } // namespace
+
+
+
   template <int dim>
   ContactGeometry<dim>::ContactGeometry(ContactAssembler<dim>  &contact,
                                         const ConfigureContact &configure)
@@ -214,6 +230,27 @@ namespace stickslip
     for (unsigned int p = 0; p < closed.size(); ++p)
       for (unsigned int i = 0; i < closed[p].size(); ++i)
         contact.contact_pairs()[p]->points[i].closed = closed[p][i];
+  }
+
+
+
+  template <int dim>
+  std::uint64_t
+  ContactStatusField<dim>::fingerprint() const
+  {
+    // a sum of one random number per closed point, whatever the order
+    const unsigned int rank =
+      Utilities::MPI::this_mpi_process(contact.get_communicator());
+    std::uint64_t sum  = 1;
+    unsigned int  seed = 0;
+    for (const auto &pair : contact.contact_pairs())
+      for (const auto &point : pair->points)
+        {
+          ++seed;
+          if (point.closed)
+            sum += scrambled(std::uint64_t(rank) << 32 | seed);
+        }
+    return Utilities::MPI::sum(sum, contact.get_communicator());
   }
 
   template class ContactGeometry<2>;

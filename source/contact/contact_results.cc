@@ -27,15 +27,10 @@ namespace stickslip
       result.shape_values =
         pair.table.displacement[point.quadrature_index].value;
       result.accumulated_slip = point.accumulated_slip;
-      result.state =
-        !point.frame.paired
-          ? ContactState::unpaired
-          : (!state.status.closed ? ContactState::open
-                                  : (state.status.stick ? ContactState::stick
-                                                        : ContactState::slip));
-      result.gap      = point.frame.paired ? -state.kinematics.d_n : 0.;
-      result.normal   = -1. * state.kinematics.n;
-      result.pressure = 0.;
+      result.state            = observe(point, state).state;
+      result.gap              = point.frame.paired ? -state.kinematics.d_n : 0.;
+      result.normal           = -1. * state.kinematics.n;
+      result.pressure         = 0.;
       if (state.status.closed)
         {
           // the traction on the slave is minus t
@@ -108,40 +103,6 @@ namespace stickslip
 
 
   template <int dim>
-  ContactViolation
-  contact_violation(ContactAssembler<dim> &contact)
-  {
-    std::array<double, 5> worst{};
-    for (const auto &pair : contact.contact_pairs())
-      for (const auto &point : pair->points)
-        {
-          if (!point.frame.paired)
-            continue;
-          const auto &state = contact.evaluate(*pair, point);
-          worst[0]          = std::max(worst[0], state.kinematics.d_n);
-          worst[1]          = std::max(worst[1], state.multipliers.lambda_n);
-          if (!state.status.closed || !pair->parameters.has_friction())
-            continue;
-          const Tensor<1, dim> Lambda =
-            tangential_vector<dim>(state.multipliers.Lambda,
-                                   state.kinematics.tau);
-          const double slip = state.kinematics.d_t.norm();
-          worst[2]          = std::max(worst[2], Lambda.norm() - 1.);
-          if (state.status.stick)
-            worst[3] = std::max(worst[3], slip);
-          else if (slip > 0.)
-            worst[4] =
-              std::max(worst[4], (Lambda - state.kinematics.d_t / slip).norm());
-        }
-    Utilities::MPI::max(ArrayView<const double>(worst.data(), worst.size()),
-                        contact.get_communicator(),
-                        ArrayView<double>(worst.data(), worst.size()));
-    return {worst[0], worst[1], worst[2], worst[3], worst[4]};
-  }
-
-
-
-  template <int dim>
   std::string
   describe_contact(ContactAssembler<dim> &contact)
   {
@@ -188,7 +149,6 @@ namespace stickslip
 #define INSTANTIATE(dim)                                                \
   template std::vector<ContactFaceResult<dim>> contact_results(         \
     ContactAssembler<dim> &);                                           \
-  template ContactViolation contact_violation(ContactAssembler<dim> &); \
   template std::string      describe_contact(ContactAssembler<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -104,10 +104,12 @@ namespace stickslip
             if (s == 0.)
               s = std::max(parameters.friction_coefficient, 1e-3) *
                   expected_strain * k * height;
-            const double unit_n = automatic ? k : 1.;
-            const double unit_t = automatic ? k / s : 1.;
-
-            Regularization &r = point.regularization;
+            Regularization &r   = point.regularization;
+            r.natural_r_n       = k;
+            r.natural_r_t       = k / s;
+            const double unit_n = point.cure.r_n_factor * (automatic ? k : 1.);
+            const double unit_t =
+              point.cure.r_t_factor * (automatic ? r.natural_r_t : 1.);
             r.r_n_status      = unit_n * role_value(given.r_n_status, r_n);
             r.r_n_augmentation =
               unit_n * role_value(given.r_n_augmentation, r_n);

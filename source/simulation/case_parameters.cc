@@ -57,6 +57,12 @@ namespace stickslip
     prm.leave_subsection();
     prm.enter_subsection("Algorithm");
     algorithm.add_parameters(prm);
+    prm.enter_subsection("Cycling");
+    cycling.add_parameters(prm);
+    prm.leave_subsection();
+    prm.enter_subsection("Acceptance");
+    acceptance.add_parameters(prm);
+    prm.leave_subsection();
     prm.leave_subsection();
     prm.enter_subsection("Load stepping");
     load_stepping.add_parameters(prm);

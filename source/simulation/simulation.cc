@@ -11,8 +11,6 @@
 #include <stickslip/simulation/final_results.h>
 #include <stickslip/simulation/simulation.h>
 
-#include <stickslip/strategy/nested_fixed_point.h>
-
 #include <iostream>
 #include <sstream>
 
@@ -44,6 +42,7 @@ namespace stickslip
     , statistics(parameters.output.directory + "/statistics", communicator)
     , resultant_table(parameters.output.directory + "/resultants", communicator)
     , log(parameters.output.directory, communicator)
+    , step_solver(parameters, problem, *linear_solver, log)
     , progress(parameters.output.verbosity,
                0.,
                parameters.load_stepping.end_time,
@@ -101,68 +100,12 @@ namespace stickslip
   void
   Simulation<dim>::solve_step(const double time)
   {
-    problem.counts = SolveCounts();
     predict(time);
-    problem.begin_step(time, accepted.x);
     log.begin_step(load_stepping.step_number() + 1,
                    time,
                    time - load_stepping.time());
 
-    NewtonOperators newton;
-    newton.begin_iteration = [this](const LA::BlockVector &state) {
-      problem.begin_iteration(state);
-    };
-    newton.residual = [this](const LA::BlockVector &state) {
-      const ResidualNorms norms = problem.residual(state);
-      return NewtonIteration{norms.equilibrium,
-                             norms.contact,
-                             norms.prescribed};
-    };
-    newton.solve_increment = [this](const LA::BlockVector &state,
-                                    const double           sufficient,
-                                    LA::BlockVector       &increment) {
-      solve_increment(state, sufficient, increment);
-    };
-    newton.is_admissible = [this](std::string &reason) {
-      return problem.state_is_admissible(reason);
-    };
-    newton.report = [this](const unsigned int     iteration,
-                           const NewtonIteration &state) {
-      log.newton_iteration(iteration, state);
-    };
-    const NewtonSolver     newton_solver(parameters.algorithm.newton, newton);
-    const NestedFixedPoint fixed_point(
-      make_loops(parameters.algorithm, problem.quantities(), problem.counts),
-      [&newton_solver](LA::BlockVector &state) { newton_solver.solve(state); },
-      [this](const std::string &quantity,
-             const unsigned int pass,
-             const double       change,
-             const unsigned int depth) {
-        log.loop_pass(quantity, pass, change, depth);
-      });
-    fixed_point.solve(x);
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::solve_increment(const LA::BlockVector &state,
-                                   const double           sufficient,
-                                   LA::BlockVector       &increment)
-  {
-    problem.assemble(state);
-    ++problem.counts.newton_iterations;
-    const std::string note = linear_solver->solve_system(
-      problem.matrix(),
-      [this]() -> const auto & { return problem.describe_system(); },
-      problem.right_hand_side(),
-      sufficient,
-      increment,
-      problem.counts);
-    if (!note.empty())
-      log.note(note);
-    problem.distribute(increment);
+    step_solver.solve(time, accepted.x, x);
   }
 
 
@@ -199,7 +142,7 @@ namespace stickslip
     write_results(faces);
     progress.accepted_step(load_stepping.step_number(),
                            load_stepping.time(),
-                           parameters.algorithm.name + ", " +
+                           step_solver.algorithm() + ", " +
                              std::to_string(problem.counts.newton_iterations) +
                              " Newton iterations");
   }
@@ -211,7 +154,6 @@ namespace stickslip
   Simulation<dim>::give_up_step(const NoConvergence &failure)
   {
     ++n_cuts;
-    failed.newton_iterations += problem.counts.newton_iterations;
     const std::string contact = describe_contact(problem.contact());
     log.note("step failed: " + std::string(failure.what()) + "\n" + contact);
     problem.restore();
@@ -233,7 +175,8 @@ namespace stickslip
             state = error.what();
           }
         throw NoConvergence(
-          failure_report(last.what(), contact, load_stepping.time(), state));
+          failure_report(last.what(), contact, load_stepping.time(), state),
+          last);
       }
     progress.rejected_step(tried, failure.what(), load_stepping.step_size());
   }
@@ -320,10 +263,12 @@ namespace stickslip
     const std::vector<ContactResultants<dim>> &resultants)
   {
     const SolveCounts &counts    = problem.counts;
-    const auto         violation = contact_violation(problem.contact());
+    const Acceptance  &found     = step_solver.acceptance();
+    const auto        &violation = found.violation;
+    const CureCounts  &cures     = step_solver.cures.counts;
     statistics.add("step", load_stepping.step_number());
     statistics.add("time", load_stepping.time());
-    statistics.add("algorithm", parameters.algorithm.name);
+    statistics.add("algorithm", step_solver.algorithm());
     statistics.add("geometry_loops", counts.geometry_loops);
     statistics.add("threshold_loops", counts.threshold_loops);
     statistics.add("status_loops", counts.status_loops);
@@ -333,7 +278,11 @@ namespace stickslip
     statistics.add("multigrid_setups", counts.multigrid_setups);
     statistics.add("direct_fallbacks", counts.direct_fallbacks);
     statistics.add("cuts", n_cuts);
-    statistics.add("failed_newton_iterations", failed.newton_iterations);
+    statistics.add("failed_newton_iterations",
+                   step_solver.failed_newton_iterations);
+    statistics.add("cycles", cures.cycles);
+    statistics.add("adapted_r", cures.adapted_scales);
+    statistics.add("held_statuses", cures.held_statuses);
     statistics.add("sparsity_rebuilds", counts.sparsity_rebuilds);
     statistics.add("assembly_seconds", counts.assembly_seconds);
     statistics.add("contact_seconds", counts.contact_seconds);
@@ -344,11 +293,15 @@ namespace stickslip
     statistics.add("max_disc_excess", violation.disc);
     statistics.add("max_stick_slip", violation.stick_slip);
     statistics.add("max_direction_error", violation.direction);
+    statistics.add("normal_law_error", violation.normal_law);
+    statistics.add("friction_law_error", violation.friction_law);
+    statistics.add("fresh_residual", found.residual.equilibrium);
     statistics.add("external_work", external_work);
     statistics.add("friction_work", friction_work);
     statistics.finish_row();
     n_cuts = 0;
-    failed = SolveCounts();
+    step_solver.failed_newton_iterations = 0;
+    step_solver.cures.counts = CureCounts();
 
     if (resultants.empty())
       return;

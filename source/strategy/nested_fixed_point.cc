@@ -2,6 +2,7 @@
 
 #include <stickslip/strategy/nested_fixed_point.h>
 
+#include <set>
 #include <sstream>
 
 namespace stickslip
@@ -23,7 +24,7 @@ namespace stickslip
       loop.quantity->set_live(loop.is_live);
     std::string failure;
     if (!solve_level(0, x, failure))
-      throw NoConvergence("Fixed point", failure);
+      throw NoConvergence("Fixed point", failure, FailureCause::loop_limit);
   }
 
 
@@ -66,7 +67,15 @@ namespace stickslip
     loop.quantity->accept();
     double change          = 0.;
     bool   inner_converged = false;
-    for (unsigned int pass = 1; pass <= loop.max_iterations; ++pass)
+    std::set<std::uint64_t> seen;
+    bool                    is_repetition = false;
+    const auto              see           = [&]() {
+      const std::uint64_t fingerprint = loop.quantity->fingerprint();
+      return fingerprint != 0 && !seen.insert(fingerprint).second;
+    };
+    see();
+    unsigned int            pass          = 1;
+    for (; pass <= loop.max_iterations && !is_repetition; ++pass)
       {
         // An inner loop may run into its limit while this one is still far from
         // its fixed point (the first statuses cycle); only the last pass
@@ -79,11 +88,13 @@ namespace stickslip
         report(loop.quantity->name(), pass, change, level);
         if (inner_converged && change <= loop.tolerance)
           return true;
+        is_repetition = see();
       }
     std::ostringstream text;
-    text << "the " << loop.quantity->name() << " loop did not settle in "
-         << loop.max_iterations << " passes; last change " << change
-         << " (tolerance " << loop.tolerance << ")";
+    text << "the " << loop.quantity->name() << " loop "
+         << (is_repetition ? "repeats itself after " : "did not settle in ")
+         << pass - 1 << " passes; last change " << change << " (tolerance "
+         << loop.tolerance << ")";
     if (!inner_converged)
       text << "; inside its last pass: " << failure;
     failure = text.str();

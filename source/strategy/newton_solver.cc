@@ -1,5 +1,3 @@
-#include <stickslip/base/no_convergence.h>
-
 #include <stickslip/strategy/newton_solver.h>
 
 #include <algorithm>
@@ -56,6 +54,31 @@ namespace stickslip
     {
       return std::max(state.equilibrium, state.contact);
     }
+
+
+
+    /// Counts iterations that have not made the residual clearly smaller than
+    /// it ever was.
+    class Stagnation
+    {
+    public:
+      void
+      see(const double residual)
+      {
+        count    = residual < 0.9 * smallest ? 0 : count + 1;
+        smallest = std::min(smallest, residual);
+      }
+
+      bool
+      lasts_for(const unsigned int iterations) const
+      {
+        return count >= iterations;
+      }
+
+    private:
+      double       smallest = std::numeric_limits<double>::max();
+      unsigned int count    = 0;
+    };
   } // namespace
 
 
@@ -201,12 +224,45 @@ namespace stickslip
           }
       }
     if (best_merit == std::numeric_limits<double>::max())
-      throw NoConvergence("Newton", reason);
+      throw NoConvergence("Newton", reason, FailureCause::inadmissible);
     // No step reduces the residual (its kinks make that normal): take the best.
     x = start;
     x.add(best.step_length, increment);
     operators.residual(x);
     return best;
+  }
+
+
+
+  bool
+  NewtonSolver::survives_release(const LA::BlockVector &x,
+                                 const unsigned int     iteration,
+                                 NewtonIteration       &state) const
+  {
+    if (!operators.release_holds())
+      return true;
+    NewtonIteration released = operators.residual(x);
+    released.increment       = state.increment;
+    released.step_length     = state.step_length;
+    state                    = released;
+    return is_converged(iteration, state);
+  }
+
+
+
+  void
+  NewtonSolver::give_up(const NewtonIteration &state,
+                        const FailureCause     cause,
+                        const std::string     &what) const
+  {
+    std::ostringstream text;
+    text << what << "; last equilibrium residual " << state.equilibrium
+         << " (tolerance " << parameters.equilibrium_tolerance
+         << "), contact residual " << state.contact << " (tolerance "
+         << parameters.contact_tolerance << "), relative increment "
+         << state.increment << " (tolerance " << parameters.increment_tolerance
+         << ")";
+    throw NoConvergence("Newton", text.str(), cause);
   }
 
 
@@ -219,15 +275,21 @@ namespace stickslip
     NewtonIteration state  = operators.residual(x);
     NewtonIteration before = state;
     operators.report(0, state);
-    double       first          = merit(state);
-    double       smallest       = std::numeric_limits<double>::max();
-    unsigned int without_better = 0;
-    bool         backtrack      = parameters.line_search == "backtracking";
-    for (unsigned int iteration = 0; iteration < parameters.max_iterations;
-         ++iteration)
+    const bool   always_backtrack = parameters.line_search == "backtracking";
+    double       first            = merit(state);
+    Stagnation   stagnation;
+    bool         cycles = false;
+    unsigned int limit  = parameters.max_iterations;
+    for (unsigned int iteration = 0;; ++iteration)
       {
-        if (is_converged(iteration, state))
+        if (is_converged(iteration, state) &&
+            survives_release(x, iteration, state))
           return iteration;
+        if (iteration >= limit)
+          break;
+        const bool backtrack =
+          always_backtrack || (parameters.line_search == "automatic" &&
+                               stagnation.lasts_for(patience));
         increment = 0.;
         operators.solve_increment(x,
                                   sufficient_reduction(before, state),
@@ -235,27 +297,27 @@ namespace stickslip
         before          = state;
         state           = advance(x, increment, before, backtrack);
         state.increment = relative_increment(x, increment);
+        stagnation.see(merit(state));
+        const CycleTreatment treatment =
+          operators.treat_cycle(stagnation.lasts_for(patience));
         // the scales follow the pressure, so what they scale must be renewed
         operators.begin_iteration(x);
         operators.report(iteration + 1, state);
         first = std::max(first, merit(state) * (iteration == 0));
         if (merit(state) > divergence_factor * std::max(first, 1.))
-          break;
-        without_better = merit(state) < 0.9 * smallest ? 0 : without_better + 1;
-        smallest       = std::min(smallest, merit(state));
-        if (parameters.line_search == "automatic" && without_better >= patience)
-          backtrack = true;
+          give_up(state, FailureCause::divergence, "the residual diverges");
+        if (treatment == CycleTreatment::cured)
+          {
+            const NewtonIteration cured = operators.residual(x);
+            state.equilibrium           = cured.equilibrium;
+            state.contact               = cured.contact;
+            stagnation                  = Stagnation();
+            limit = iteration + 1 + parameters.max_iterations;
+          }
+        cycles = treatment == CycleTreatment::incurable;
       }
-    if (is_converged(parameters.max_iterations, state))
-      return parameters.max_iterations;
-    std::ostringstream text;
-    text << "no convergence in " << parameters.max_iterations
-         << " iterations; last equilibrium residual " << state.equilibrium
-         << " (tolerance " << parameters.equilibrium_tolerance
-         << "), contact residual " << state.contact << " (tolerance "
-         << parameters.contact_tolerance << "), relative increment "
-         << state.increment << " (tolerance " << parameters.increment_tolerance
-         << ")";
-    throw NoConvergence("Newton", text.str());
+    give_up(state,
+            cycles ? FailureCause::cycle : FailureCause::stagnation,
+            "no convergence in " + std::to_string(limit) + " iterations");
   }
 } // namespace stickslip

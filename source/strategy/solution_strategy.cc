@@ -57,9 +57,10 @@ namespace stickslip
       name,
       "FPM: fixed points on geometry, friction threshold and contact status. "
       "PNM: fixed point on the geometry, the rest in Newton. GNM: everything "
-      "in "
-      "Newton. custom: what the Treatment of each quantity says.",
-      Patterns::Selection("FPM|PNM|GNM|custom"));
+      "in Newton. automatic: GNM, and in steps where it cycles, stagnates or "
+      "ends in a wrong state PNM and then FPM. custom: what the Treatment of "
+      "each quantity says.",
+      Patterns::Selection("automatic|FPM|PNM|GNM|custom"));
     prm.add_parameter(
       "Tangent",
       tangent,
@@ -92,7 +93,8 @@ namespace stickslip
 
 
   std::vector<FixedPointLoop>
-  make_loops(const AlgorithmParameters                &parameters,
+  make_loops(const std::string                        &name,
+             const AlgorithmParameters                &parameters,
              const std::array<FreezableQuantity *, 3> &quantities,
              SolveCounts                              &counts)
   {
@@ -100,7 +102,7 @@ namespace stickslip
       {&parameters.geometry, &parameters.threshold, &parameters.status}};
     const std::array<unsigned int *, 3> loop_counts = {
       {&counts.geometry_loops, &counts.threshold_loops, &counts.status_loops}};
-    const auto named = named_algorithms().find(parameters.name);
+    const auto named = named_algorithms().find(name);
 
     std::vector<FixedPointLoop> loops;
     for (unsigned int i = 0; i < 3; ++i)

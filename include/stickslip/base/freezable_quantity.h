@@ -3,6 +3,7 @@
 
 #include <stickslip/base/types.h>
 
+#include <cstdint>
 #include <string>
 
 namespace stickslip
@@ -38,6 +39,14 @@ namespace stickslip
     /// The last evaluated value becomes the frozen one.
     virtual void
     accept() = 0;
+
+    /// A number that tells discrete frozen values apart: a loop that meets one
+    /// again will meet all that followed again. 0: not discrete.
+    virtual std::uint64_t
+    fingerprint() const
+    {
+      return 0;
+    }
   };
 } // namespace stickslip
 

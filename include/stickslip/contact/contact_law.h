@@ -19,6 +19,8 @@ namespace stickslip
     double open_scale = 1.; ///< c of the open Lambda rows [stress length]
     double negligible_threshold = 0.; ///< s up to here is roundoff: no friction
     double threshold_scale      = 1.; ///< s or the least one that r_t follows
+    double natural_r_n          = 1.; ///< stiffness k of the contact
+    double natural_r_t          = 1.; ///< k over the threshold scale
   };
 
   /// Where the friction threshold s comes from.

@@ -2,7 +2,9 @@
 #define stickslip_contact_contact_point_h
 
 #include <stickslip/contact/contact_law.h>
+#include <stickslip/contact/contact_state.h>
 
+#include <optional>
 #include <vector>
 
 namespace stickslip
@@ -14,6 +16,36 @@ namespace stickslip
     SurfaceFace<dim> face;
     std::vector<types::global_dof_index>
       multiplier_dofs; ///< [node * n_comp + c]
+  };
+
+  /// What the treatment of cycles has changed at a point (cycling_cures.h).
+  struct PointCure
+  {
+    double              r_n_factor = 1.;
+    double              r_t_factor = 1.;
+    std::optional<bool> held_closed; ///< S_c until the residual has converged
+    std::optional<bool> held_stick;  ///< S_f
+    unsigned int        n_treatments = 0; ///< in the present solve
+    unsigned int        n_holds      = 0;
+
+    /// Frees the statuses. True if one was held.
+    bool
+    release()
+    {
+      const bool held = held_closed || held_stick;
+      held_closed.reset();
+      held_stick.reset();
+      return held;
+    }
+  };
+
+  /// Where a point met its partner when the step began.
+  template <int dim>
+  struct Meeting
+  {
+    bool           paired = false;
+    Tensor<1, dim> master_position;
+    Tensor<1, dim> n; ///< into the master
   };
 
   /**
@@ -52,6 +84,12 @@ namespace stickslip
     /// Orthonormal tangential directions without slip (held_directions.h).
     std::vector<Tensor<1, dim>> held_directions;
     Tensor<1, dim - 1>          kept_Lambda; ///< Lambda along these
+
+    // what the last residual or tangent saw
+    ObservedState<dim> observed;
+
+    PointCure    cure;
+    Meeting<dim> start;
 
     // history
     ContactFrame<dim> accepted_frame; ///< of the last accepted step

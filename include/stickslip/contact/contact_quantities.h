@@ -109,6 +109,10 @@ namespace stickslip
     void
     accept() override;
 
+    /// Of the set of closed points.
+    std::uint64_t
+    fingerprint() const override;
+
   private:
     ContactAssembler<dim>         &contact;
     ConfigureContact               configure;

@@ -4,6 +4,7 @@
 #include <stickslip/base/parameter_file.h>
 
 #include <stickslip/contact/contact_parameters.h>
+#include <stickslip/contact/cycling_cures.h>
 
 #include <stickslip/linear_solvers/linear_solver.h>
 
@@ -11,6 +12,8 @@
 #include <stickslip/mesh/mesh_parameters.h>
 
 #include <stickslip/output/output_parameters.h>
+
+#include <stickslip/problem/acceptance.h>
 
 #include <stickslip/simulation/load_stepping.h>
 #include <stickslip/simulation/reference_checks.h>
@@ -39,6 +42,8 @@ namespace stickslip
     NamedList<BoundaryConditionParameters> boundary_conditions;
     NamedList<ContactPairParameters>       contact_pairs;
     AlgorithmParameters                    algorithm;
+    CyclingParameters                      cycling;
+    AcceptanceParameters                   acceptance;
     LoadSteppingParameters                 load_stepping;
     LinearSolverParameters                 linear_solver;
     OutputParameters                       output;

@@ -17,6 +17,7 @@
 #include <stickslip/simulation/contact_warnings.h>
 #include <stickslip/simulation/convergence_log.h>
 #include <stickslip/simulation/load_stepping.h>
+#include <stickslip/simulation/step_solver.h>
 
 #include <memory>
 #include <string>
@@ -57,7 +58,6 @@ namespace stickslip
     double          friction_work = 0.;
     unsigned int    n_cuts        = 0;
     ContactWarnings warnings;
-    SolveCounts     failed; ///< of steps that were cut since the last accepted
 
     FieldOutput<dim>   field_output;
     ContactOutput<dim> contact_output;
@@ -65,6 +65,7 @@ namespace stickslip
     StatisticsTable    statistics;
     StatisticsTable    resultant_table;
     ConvergenceLog     log;
+    StepSolver<dim>    step_solver;
     Progress           progress;
 
     /// Sets x to a guess of the state at @p time.
@@ -73,11 +74,6 @@ namespace stickslip
 
     void
     solve_step(const double time);
-
-    void
-    solve_increment(const LA::BlockVector &state,
-                    const double           sufficient,
-                    LA::BlockVector       &increment);
 
     void
     accept_step();

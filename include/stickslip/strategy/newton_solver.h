@@ -1,6 +1,7 @@
 #ifndef stickslip_strategy_newton_solver_h
 #define stickslip_strategy_newton_solver_h
 
+#include <stickslip/base/no_convergence.h>
 #include <stickslip/base/types.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -39,6 +40,16 @@ namespace stickslip
 
 
 
+  /// What was found and done about iterates that repeat themselves.
+  enum class CycleTreatment
+  {
+    none,     ///< no cycle
+    cured,    ///< the equations of some points are other ones now
+    incurable ///< a cycle, and nothing left to try
+  };
+
+
+
   /// What Newton's method needs to know of a problem.
   struct NewtonOperators
   {
@@ -58,13 +69,19 @@ namespace stickslip
     /// Called after each residual, for log and tables.
     std::function<void(const unsigned int iteration, const NewtonIteration &)>
       report;
+    /// Called after each iteration: looks for a cycle and, if the residual has
+    /// not become smaller for a while (@p stagnates), breaks it.
+    std::function<CycleTreatment(const bool stagnates)> treat_cycle;
+    /// Called where the residual has converged: takes back what treat_cycle()
+    /// holds against the contact law. True if there was anything.
+    std::function<bool()> release_holds;
   };
 
 
 
   /**
-   * Newton's method with an optional backtracking line search. Knows nothing of
-   * mechanics. A state is accepted when the relative equilibrium residual
+   * Newton's method with an optional backtracking line search and with room for
+   * the treatment of cycles. Knows nothing of mechanics. A state is accepted when the relative equilibrium residual
    * (paper, eq. 25) and the contact rows are below their tolerances, all
    * prescribed displacements are applied, and, if an iteration was needed, its
    * increment was below the increment tolerance (the further terms of eq. 26).
@@ -74,8 +91,9 @@ namespace stickslip
   public:
     NewtonSolver(const NewtonParameters &parameters, NewtonOperators operators);
 
-    /// Improves @p x until converged; returns the number of iterations. Throws
-    /// NoConvergence. Collective.
+    /// Improves @p x until converged; returns the number of iterations, at most
+    /// the limit for each set of equations that the treatment of cycles makes.
+    /// Throws NoConvergence. Collective.
     unsigned int
     solve(LA::BlockVector &x) const;
 
@@ -100,6 +118,18 @@ namespace stickslip
     bool
     is_converged(const unsigned int     iteration,
                  const NewtonIteration &state) const;
+
+    /// A converged state remains one without what the treatment of cycles
+    /// holds. Renews the residual of @p state.
+    bool
+    survives_release(const LA::BlockVector &x,
+                     const unsigned int     iteration,
+                     NewtonIteration       &state) const;
+
+    [[noreturn]] void
+    give_up(const NewtonIteration &state,
+            const FailureCause     cause,
+            const std::string     &what) const;
 
     /// Adds a fraction of the increment to x that the model and, with
     /// @p backtrack, the residual accept; returns the new state.

@@ -29,7 +29,7 @@ namespace stickslip
   /// The section "Algorithm".
   struct AlgorithmParameters
   {
-    std::string      name    = "GNM";
+    std::string      name    = "automatic";
     std::string      tangent = "consistent";
     LoopParameters   geometry{"newton", 1e-6, 30};
     LoopParameters   threshold{"newton", 1e-6, 50};
@@ -52,9 +52,12 @@ namespace stickslip
    * | PNM    | fixed point | newton      | newton      |
    * | GNM    | newton      | newton      | newton      |
    * | custom | as the parameters say                   |
+   *
+   * @p name is one of these; `automatic` is not (see AlgorithmLadder).
    */
   std::vector<FixedPointLoop>
-  make_loops(const AlgorithmParameters                &parameters,
+  make_loops(const std::string                        &name,
+             const AlgorithmParameters                &parameters,
              const std::array<FreezableQuantity *, 3> &quantities,
              SolveCounts                              &counts);
 } // namespace stickslip

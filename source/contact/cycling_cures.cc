@@ -1,0 +1,312 @@
+#include <stickslip/contact/cycling_cures.h>
+
+#include <deal.II/base/array_view.h>
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <sstream>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// How far beyond a bound of eqs. 29 and 32 the new r lies.
+    constexpr double beyond_bound = 2.;
+
+    /// Changes of r below this factor are none.
+    constexpr double no_change = 1.01;
+
+    /// Treatments of a point in one solve before it counts as incurable.
+    constexpr unsigned int most_treatments = 3;
+
+
+
+    double
+    distance(const double a, const double b)
+    {
+      return std::abs(std::log(a / b));
+    }
+
+
+
+    /// The number nearest to @p natural (as a factor) at which both statuses
+    /// agree; they change at @p bounds. 0 if there is none.
+    double
+    nearest_admissible(const double                               natural,
+                       const std::vector<double>                 &bounds,
+                       const std::function<bool(const double r)> &agree)
+    {
+      std::vector<double> candidates = {natural};
+      for (const double bound : bounds)
+        if (bound > 0. && std::isfinite(bound))
+          {
+            candidates.push_back(bound * beyond_bound);
+            candidates.push_back(bound / beyond_bound);
+          }
+      double best = 0.;
+      for (const double r : candidates)
+        if (agree(r) &&
+            (best == 0. || distance(r, natural) < distance(best, natural)))
+          best = r;
+      return best;
+    }
+  } // namespace
+
+
+
+  void
+  CyclingParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter(
+      "Adapt r",
+      adapt_scales,
+      "Points whose statuses were proven to go round in circles get another "
+      "regularization parameter, the nearest to the stiffness of the contact "
+      "that gives the last two states the same status (paper, eqs. 29 and 32). "
+      "If a solve fails all the same, all take that stiffness. Only with "
+      "'Quadrature = nodal', where the answer does not depend on it.");
+    prm.add_parameter(
+      "Hold statuses",
+      hold_statuses,
+      "Points that no other r helps keep one of their statuses until the rest "
+      "has converged; all statuses are then set free again before a state is "
+      "accepted.");
+  }
+
+
+
+  template <int dim>
+  CyclingCures<dim>::CyclingCures(const CyclingParameters &parameters,
+                                  ContactAssembler<dim>   &contact)
+    : parameters(parameters)
+    , contact(contact)
+  {}
+
+
+
+  template <int dim>
+  void
+  CyclingCures<dim>::begin_solve()
+  {
+    statuses.clear();
+    now.clear();
+    for (const auto &pair : contact.contact_pairs())
+      for (auto &point : pair->points)
+        {
+          point.cure.release();
+          point.cure.n_treatments = 0;
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  CyclingCures<dim>::read_states()
+  {
+    before.swap(now);
+    now.clear();
+    for (const auto &pair : contact.contact_pairs())
+      {
+        now.emplace_back();
+        for (const auto &point : pair->points)
+          {
+            const auto &state = contact.evaluate(*pair, point);
+            now.back().push_back(
+              {state.multipliers.lambda_n,
+               state.kinematics.d_n,
+               tangential_vector<dim>(state.multipliers.Lambda,
+                                      state.kinematics.tau),
+               state.kinematics.d_t});
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  double
+  CyclingCures<dim>::admissible_r_n(const State &a,
+                                    const State &b,
+                                    const double natural) const
+  {
+    return nearest_admissible(natural,
+                              {a.lambda_n / a.d_n, b.lambda_n / b.d_n},
+                              [&](const double r) {
+                                return (a.lambda_n - r * a.d_n) *
+                                         (b.lambda_n - r * b.d_n) >
+                                       0.;
+                              });
+  }
+
+
+
+  template <int dim>
+  double
+  CyclingCures<dim>::admissible_r_t(const State &a,
+                                    const State &b,
+                                    const double natural) const
+  {
+    // bounds: |Lambda + r d_t| = 1
+    std::vector<double> bounds;
+    for (const State *state : {&a, &b})
+      {
+        const double square   = state->d_t.norm_square();
+        const double product  = state->Lambda * state->d_t;
+        const double constant = state->Lambda.norm_square() - 1.;
+        const double root     = product * product - square * constant;
+        if (square > 0. && root >= 0.)
+          {
+            bounds.push_back((-product + std::sqrt(root)) / square);
+            bounds.push_back((-product - std::sqrt(root)) / square);
+          }
+      }
+    const auto excess = [](const State &state, const double r) {
+      return (state.Lambda + r * state.d_t).norm() - 1.;
+    };
+    return nearest_admissible(natural, bounds, [&](const double r) {
+      return excess(a, r) * excess(b, r) > 0.;
+    });
+  }
+
+
+
+  template <int dim>
+  bool
+  CyclingCures<dim>::adapt_scale(const PointCycle &cycle)
+  {
+    ContactPair<dim>  &pair  = *contact.contact_pairs()[cycle.pair];
+    ContactPoint<dim> &point = pair.points[cycle.point];
+    if (pair.parameters.quadrature != "nodal" || before.empty())
+      return false;
+    const State          &a         = before[cycle.pair][cycle.point];
+    const State          &b         = now[cycle.pair][cycle.point];
+    const Regularization &r         = point.regularization;
+    const bool            is_normal = cycle.kind == CycleKind::contact;
+    const double          present = is_normal ? r.r_n_status : r.r_t_status;
+    const double          better  = is_normal ?
+                                      admissible_r_n(a, b, r.natural_r_n) :
+                                      admissible_r_t(a, b, r.natural_r_t);
+    if (better == 0. || distance(better, present) < std::log(no_change))
+      return false;
+    (is_normal ? point.cure.r_n_factor : point.cure.r_t_factor) *=
+      better / present;
+    return true;
+  }
+
+
+
+  template <int dim>
+  bool
+  CyclingCures<dim>::hold_status(const PointCycle &cycle)
+  {
+    auto &cure =
+      contact.contact_pairs()[cycle.pair]->points[cycle.point].cure;
+    const bool first_choice = cure.n_holds % 2 == 0;
+    ++cure.n_holds;
+    if (cycle.kind == CycleKind::contact)
+      cure.held_closed = first_choice;
+    else
+      cure.held_stick = first_choice;
+    return true;
+  }
+
+
+
+  template <int dim>
+  void
+  CyclingCures<dim>::observe(const bool act)
+  {
+    statuses.record(contact);
+    read_states();
+    text.clear();
+    last_outcome = Outcome::no_cycle;
+    const std::vector<PointCycle> cycles = statuses.cycling_points();
+    if (!act || Utilities::MPI::max(cycles.empty() ? 0 : 1,
+                                    contact.get_communicator()) == 0)
+      return;
+
+    std::array<unsigned int, 3> treated{}; // found, other r, held
+    treated[0] = cycles.size();
+    for (const PointCycle &cycle : cycles)
+      {
+        auto &cure =
+          contact.contact_pairs()[cycle.pair]->points[cycle.point].cure;
+        if (cycle.kind == CycleKind::facet ||
+            cycle.kind == CycleKind::pairing ||
+            cure.n_treatments >= most_treatments)
+          continue;
+        if (parameters.adapt_scales && cure.n_treatments == 0 &&
+            adapt_scale(cycle))
+          ++treated[1];
+        else if (parameters.hold_statuses && hold_status(cycle))
+          ++treated[2];
+        else
+          continue;
+        ++cure.n_treatments;
+      }
+    Utilities::MPI::sum(
+      ArrayView<const unsigned int>(treated.data(), treated.size()),
+      contact.get_communicator(),
+      ArrayView<unsigned int>(treated.data(), treated.size()));
+    const bool is_cured = treated[1] + treated[2] > 0;
+    last_outcome        = is_cured ? Outcome::cured : Outcome::incurable;
+    ++counts.cycles;
+    counts.adapted_scales += treated[1];
+    counts.held_statuses += treated[2];
+    if (is_cured)
+      statuses.clear();
+    std::ostringstream words;
+    words << "  the statuses of " << treated[0] << " points repeat: "
+          << treated[1] << " get another r, " << treated[2]
+          << " keep a status until the rest has converged";
+    text = words.str();
+  }
+
+
+
+  template <int dim>
+  bool
+  CyclingCures<dim>::release()
+  {
+    bool any = false;
+    for (const auto &pair : contact.contact_pairs())
+      for (auto &point : pair->points)
+        any = point.cure.release() || any;
+    any = Utilities::MPI::max(any ? 1 : 0, contact.get_communicator()) > 0;
+    if (any)
+      statuses.clear();
+    return any;
+  }
+
+
+
+  template <int dim>
+  bool
+  CyclingCures<dim>::use_natural_scales()
+  {
+    if (!parameters.adapt_scales)
+      return false;
+    double largest = 1.;
+    for (const auto &pair : contact.contact_pairs())
+      if (pair->parameters.quadrature == "nodal")
+        for (auto &point : pair->points)
+          {
+            const Regularization &r   = point.regularization;
+            const double factor_n = r.natural_r_n / r.r_n_status;
+            const double factor_t = r.natural_r_t / r.r_t_status;
+            point.cure.r_n_factor *= factor_n;
+            point.cure.r_t_factor *= factor_t;
+            largest = std::max({largest, factor_n, 1. / factor_n});
+            if (pair->parameters.has_friction())
+              largest = std::max({largest, factor_t, 1. / factor_t});
+          }
+    return Utilities::MPI::max(largest, contact.get_communicator()) > 2.;
+  }
+
+  template class CyclingCures<2>;
+  template class CyclingCures<3>;
+} // namespace stickslip

@@ -1,0 +1,194 @@
+#include <stickslip/simulation/step_solver.h>
+
+#include <stickslip/strategy/nested_fixed_point.h>
+#include <stickslip/strategy/newton_solver.h>
+#include <stickslip/strategy/solution_strategy.h>
+
+namespace stickslip
+{
+  namespace
+  {
+    template <int dim>
+    CycleTreatment
+    treatment(const CyclingCures<dim> &cures)
+    {
+      using Outcome = typename CyclingCures<dim>::Outcome;
+      switch (cures.outcome())
+        {
+          case Outcome::cured:
+            return CycleTreatment::cured;
+          case Outcome::incurable:
+            return CycleTreatment::incurable;
+          case Outcome::no_cycle:
+            break;
+        }
+      return CycleTreatment::none;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  StepSolver<dim>::StepSolver(const CaseParameters &parameters,
+                              ContactProblem<dim>  &problem,
+                              LinearSolver         &linear_solver,
+                              ConvergenceLog       &log)
+    : cures(parameters.cycling, problem.contact())
+    , parameters(parameters)
+    , problem(problem)
+    , linear_solver(linear_solver)
+    , log(log)
+    , ladder(parameters.algorithm.name)
+  {}
+
+
+
+  template <int dim>
+  void
+  StepSolver<dim>::solve(const double           time,
+                         const LA::BlockVector &accepted,
+                         LA::BlockVector       &x)
+  {
+    problem.begin_step(time, accepted);
+    problem.configure(accepted, true);
+    note_partners(problem.contact());
+    ladder.begin_step();
+    LA::BlockVector guess(x);
+    while (true)
+      try
+        {
+          solve_with(ladder.algorithm(), guess, x);
+          ladder.accept_step();
+          return;
+        }
+      catch (const NoConvergence &failure)
+        {
+          const std::string failed = ladder.algorithm();
+          if (!ladder.climb(failure))
+            throw;
+          log.note(failed + " failed: " + failure.what() + "\ntrying " +
+                   ladder.algorithm());
+          problem.restore();
+          guess = accepted;
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  StepSolver<dim>::solve_with(const std::string     &algorithm,
+                              const LA::BlockVector &guess,
+                              LA::BlockVector       &x)
+  {
+    try
+      {
+        x = guess;
+        attempt(algorithm, x);
+      }
+    catch (const NoConvergence &failure)
+      {
+        if (!cures.use_natural_scales())
+          throw;
+        log.note(algorithm + " failed: " + failure.what() +
+                 "\ntrying r at the stiffness of the contact");
+        problem.restore();
+        x = guess;
+        attempt(algorithm, x);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  StepSolver<dim>::attempt(const std::string &algorithm, LA::BlockVector &x)
+  {
+    NewtonOperators newton;
+    newton.begin_iteration = [this](const LA::BlockVector &state) {
+      problem.begin_iteration(state);
+    };
+    newton.residual = [this](const LA::BlockVector &state) {
+      const ResidualNorms norms = problem.residual(state);
+      return NewtonIteration{norms.equilibrium,
+                             norms.contact,
+                             norms.prescribed};
+    };
+    newton.solve_increment = [this](const LA::BlockVector &state,
+                                    const double           sufficient,
+                                    LA::BlockVector       &increment) {
+      solve_increment(state, sufficient, increment);
+    };
+    newton.is_admissible = [this](std::string &reason) {
+      return problem.state_is_admissible(reason);
+    };
+    newton.report = [this](const unsigned int     iteration,
+                           const NewtonIteration &state) {
+      log.newton_iteration(iteration, state);
+    };
+    newton.treat_cycle = [this](const bool stagnates) {
+      cures.observe(stagnates);
+      if (!cures.description().empty())
+        log.note(cures.description());
+      return treatment(cures);
+    };
+    newton.release_holds = [this]() { return cures.release(); };
+
+    const NewtonSolver     newton_solver(parameters.algorithm.newton, newton);
+    const NestedFixedPoint fixed_point(
+      make_loops(algorithm,
+                 parameters.algorithm,
+                 problem.quantities(),
+                 problem.counts),
+      [&](LA::BlockVector &state) {
+        cures.begin_solve();
+        newton_solver.solve(state);
+      },
+      [this](const std::string &quantity,
+             const unsigned int pass,
+             const double       change,
+             const unsigned int depth) {
+        log.loop_pass(quantity, pass, change, depth);
+      });
+    problem.counts = SolveCounts();
+    try
+      {
+        fixed_point.solve(x);
+        found = examine(problem, x, parameters.acceptance);
+        if (!found.complaint.empty())
+          throw NoConvergence("The converged state is wrong",
+                              found.complaint,
+                              FailureCause::rejected);
+      }
+    catch (const NoConvergence &)
+      {
+        failed_newton_iterations += problem.counts.newton_iterations;
+        throw;
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  StepSolver<dim>::solve_increment(const LA::BlockVector &state,
+                                   const double           sufficient,
+                                   LA::BlockVector       &increment)
+  {
+    problem.assemble(state);
+    ++problem.counts.newton_iterations;
+    const std::string note = linear_solver.solve_system(
+      problem.matrix(),
+      [this]() -> const auto & { return problem.describe_system(); },
+      problem.right_hand_side(),
+      sufficient,
+      increment,
+      problem.counts);
+    if (!note.empty())
+      log.note(note);
+    problem.distribute(increment);
+  }
+
+  template class StepSolver<2>;
+  template class StepSolver<3>;
+} // namespace stickslip
