@@ -187,10 +187,12 @@ namespace stickslip
     const Regularization &r         = point.regularization;
     const bool            is_normal = cycle.kind == CycleKind::contact;
     const double          present = is_normal ? r.r_n_status : r.r_t_status;
-    const double          better  = is_normal ?
-                                      admissible_r_n(a, b, r.natural_r_n) :
-                                      admissible_r_t(a, b, r.natural_r_t);
-    if (better == 0. || distance(better, present) < std::log(no_change))
+    const double          natural = is_normal ? r.natural_r_n : r.natural_r_t;
+    const double          better  = is_normal ? admissible_r_n(a, b, natural) :
+                                                admissible_r_t(a, b, natural);
+    // away from the natural scale another r only makes another cycle
+    if (better == 0. || distance(better, natural) + std::log(no_change) >
+                          distance(present, natural))
       return false;
     (is_normal ? point.cure.r_n_factor : point.cure.r_t_factor) *=
       better / present;
@@ -229,10 +231,11 @@ namespace stickslip
                                     contact.get_communicator()) == 0)
       return;
 
-    std::array<unsigned int, 3> treated{}; // found, other r, held
-    treated[0] = cycles.size();
+    std::array<unsigned int, 2>                treated{}; // other r, held
+    std::array<unsigned int, n_cycle_kinds> found{};
     for (const PointCycle &cycle : cycles)
       {
+        ++found[static_cast<unsigned int>(cycle.kind)];
         auto &cure =
           contact.contact_pairs()[cycle.pair]->points[cycle.point].cure;
         if (cycle.kind == CycleKind::facet ||
@@ -241,9 +244,9 @@ namespace stickslip
           continue;
         if (parameters.adapt_scales && cure.n_treatments == 0 &&
             adapt_scale(cycle))
-          ++treated[1];
+          ++treated[0];
         else if (parameters.hold_statuses && hold_status(cycle))
-          ++treated[2];
+          ++treated[1];
         else
           continue;
         ++cure.n_treatments;
@@ -252,16 +255,24 @@ namespace stickslip
       ArrayView<const unsigned int>(treated.data(), treated.size()),
       contact.get_communicator(),
       ArrayView<unsigned int>(treated.data(), treated.size()));
-    const bool is_cured = treated[1] + treated[2] > 0;
+    Utilities::MPI::sum(
+      ArrayView<const unsigned int>(found.data(), found.size()),
+      contact.get_communicator(),
+      ArrayView<unsigned int>(found.data(), found.size()));
+    const bool is_cured = treated[0] + treated[1] > 0;
     last_outcome        = is_cured ? Outcome::cured : Outcome::incurable;
     ++counts.cycles;
-    counts.adapted_scales += treated[1];
-    counts.held_statuses += treated[2];
+    counts.adapted_scales += treated[0];
+    counts.held_statuses += treated[1];
     if (is_cured)
       statuses.clear();
     std::ostringstream words;
-    words << "  the statuses of " << treated[0] << " points repeat: "
-          << treated[1] << " get another r, " << treated[2]
+    words << "  statuses repeat (";
+    for (unsigned int kind = 0, n_words = 0; kind < n_cycle_kinds; ++kind)
+      if (found[kind] > 0)
+        words << (n_words++ > 0 ? ", " : "") << found[kind] << " points "
+              << name_of(static_cast<CycleKind>(kind));
+    words << "): " << treated[0] << " get another r, " << treated[1]
           << " keep a status until the rest has converged";
     text = words.str();
   }

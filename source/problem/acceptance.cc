@@ -1,5 +1,7 @@
 #include <stickslip/problem/acceptance.h>
 
+#include <algorithm>
+#include <limits>
 #include <sstream>
 #include <tuple>
 #include <utility>
@@ -9,6 +11,11 @@ namespace stickslip
 {
   namespace
   {
+    /// Roundoff of prescribed displacements, over the largest displacement.
+    constexpr double applied_tolerance = 1e-10;
+
+
+
     std::string
     complaint_about(const Acceptance           &found,
                     const AcceptanceParameters &parameters)
@@ -23,6 +30,9 @@ namespace stickslip
                << " (allowed: 'Algorithm/Acceptance/" << tolerance_name
                << "' = " << tolerance << ")";
       };
+      if (!(found.residual.prescribed <= applied_tolerance))
+        text << "prescribed displacements are off by "
+             << found.residual.prescribed << " of the largest displacement";
       require(found.residual.equilibrium,
               parameters.residual_tolerance,
               "equilibrium residual with fresh statuses",
@@ -116,15 +126,18 @@ namespace stickslip
     const FrozenFrames<dim> frames(contact);
 
     contact.live = Liveness();
+    problem.forget_state();
     Acceptance found;
     found.residual  = problem.residual(x);
+    found.residual.prescribed /=
+      std::max(x.block(0).linfty_norm(), std::numeric_limits<double>::min());
     found.violation = contact_violation(contact);
     found.complaint = complaint_about(found, parameters);
 
-    contact.live = live;
-    frames.restore();
-    problem.residual(x);
+    contact.live   = live;
     problem.counts = counts;
+    frames.restore();
+    problem.forget_state();
     return found;
   }
 

@@ -186,8 +186,7 @@ namespace stickslip
   {
     time  = new_time;
     x_old = accepted;
-    constraints->invalidate();
-    is_configured = false;
+    forget_state();
     if (u_old.size() > 0)
       u_old = x_old.block(0);
   }

@@ -151,6 +151,7 @@ namespace stickslip
         log.loop_pass(quantity, pass, change, depth);
       });
     problem.counts = SolveCounts();
+    problem.forget_state();
     try
       {
         fixed_point.solve(x);

@@ -33,6 +33,8 @@ namespace stickslip
     facet      ///< only the master facet (or its interior and its edge) changes
   };
 
+  constexpr unsigned int n_cycle_kinds = 5;
+
   /// "contact/open" and so on, for messages and tables.
   std::string
   name_of(const CycleKind kind);

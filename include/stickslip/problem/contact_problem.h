@@ -62,6 +62,15 @@ namespace stickslip
     void
     begin_step(const double time, const LA::BlockVector &x_old);
 
+    /// Another state is next, far from the last one: prescribed displacements
+    /// that were applied may not be any more.
+    void
+    forget_state()
+    {
+      constraints->invalidate();
+      is_configured = false;
+    }
+
     /// Renews what is constant during a Newton iteration from @p x: contact
     /// scales, and the constraints of the increment.
     void
