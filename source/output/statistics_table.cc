@@ -1,3 +1,5 @@
+#include <stickslip/base/user_error.h>
+
 #include <stickslip/output/output_directory.h>
 #include <stickslip/output/statistics_table.h>
 
@@ -140,7 +142,7 @@ namespace stickslip
                 rows.push_back(row);
             }
       }
-    throw_if_rank_0_failed(error, communicator);
+    throw_collectively(error, communicator);
   }
 
 
@@ -214,7 +216,7 @@ namespace stickslip
         error        = must_rewrite ? rewrite_files() : append_last_row();
         must_rewrite = false;
       }
-    throw_if_rank_0_failed(error, communicator);
+    throw_collectively(error, communicator);
   }
 
 
