@@ -1,8 +1,6 @@
 #include <stickslip/contact/contact_assembler.h>
 #include <stickslip/contact/tangent_stabilization.h>
 
-#include <deal.II/base/mpi.h>
-
 namespace stickslip
 {
   template <int dim>
@@ -336,9 +334,10 @@ namespace stickslip
   {
     Vector<double> local;
     for (const auto &pair : pairs)
-      for (const auto &point : pair->points)
+      for (auto &point : pair->points)
         {
           evaluate_point(*pair, point, false, false);
+          point.observed  = observe(point, scratch);
           const auto dofs = point_dofs(*pair, point);
           local.reinit(dofs.size());
           local_residual(element_of(*pair, point), scratch, local);
@@ -372,9 +371,10 @@ namespace stickslip
     Vector<double>     local;
     FullMatrix<double> local_matrix;
     for (const auto &pair : pairs)
-      for (const auto &point : pair->points)
+      for (auto &point : pair->points)
         {
           evaluate_point(*pair, point, linearize_geometry, true);
+          point.observed = observe(point, scratch);
           if (pair->parameters.has_friction())
             assume_stick_before_first_pressure(point, scratch);
           const auto dofs = point_dofs(*pair, point);

@@ -27,15 +27,10 @@ namespace stickslip
       result.shape_values =
         pair.table.displacement[point.quadrature_index].value;
       result.accumulated_slip = point.accumulated_slip;
-      result.state =
-        !point.frame.paired
-          ? ContactState::unpaired
-          : (!state.status.closed ? ContactState::open
-                                  : (state.status.stick ? ContactState::stick
-                                                        : ContactState::slip));
-      result.gap      = point.frame.paired ? -state.kinematics.d_n : 0.;
-      result.normal   = -1. * state.kinematics.n;
-      result.pressure = 0.;
+      result.state            = observe(point, state).state;
+      result.gap              = point.frame.paired ? -state.kinematics.d_n : 0.;
+      result.normal           = -1. * state.kinematics.n;
+      result.pressure         = 0.;
       if (state.status.closed)
         {
           // the traction on the slave is minus t

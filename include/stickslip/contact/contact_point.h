@@ -2,6 +2,7 @@
 #define stickslip_contact_contact_point_h
 
 #include <stickslip/contact/contact_law.h>
+#include <stickslip/contact/contact_state.h>
 
 #include <vector>
 
@@ -52,6 +53,9 @@ namespace stickslip
     /// Orthonormal tangential directions without slip (held_directions.h).
     std::vector<Tensor<1, dim>> held_directions;
     Tensor<1, dim - 1>          kept_Lambda; ///< Lambda along these
+
+    // what the last residual or tangent saw
+    ObservedState<dim> observed;
 
     // history
     ContactFrame<dim> accepted_frame; ///< of the last accepted step

@@ -3,6 +3,8 @@
 
 #include <stickslip/base/types.h>
 
+#include <stickslip/contact/contact_state.h>
+
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
@@ -10,15 +12,6 @@
 
 namespace stickslip
 {
-  /// What a contact point is doing. `unpaired`: no master face in reach.
-  enum class ContactState
-  {
-    unpaired = 0,
-    open     = 1,
-    stick    = 2,
-    slip     = 3
-  };
-
   /**
    * Converged state of one contact (quadrature) point, for output. Tractions
    * act on the slave and are per *reference* slave area, as lambda_n is.

@@ -1,0 +1,36 @@
+#include <stickslip/contact/contact_element.h>
+#include <stickslip/contact/contact_state.h>
+
+namespace stickslip
+{
+  template <int dim>
+  ObservedState<dim>
+  observe(const ContactPoint<dim>      &point,
+          const ContactEvaluation<dim> &evaluation)
+  {
+    ObservedState<dim> result;
+    if (!point.frame.paired)
+      return result;
+    if (!evaluation.status.closed)
+      result.state = ContactState::open;
+    else if (evaluation.status.stick)
+      result.state = ContactState::stick;
+    else
+      {
+        result.state = ContactState::slip;
+        const Tensor<1, dim> trial =
+          tangential_vector<dim>(evaluation.multipliers.Lambda,
+                                 evaluation.kinematics.tau) +
+          point.regularization.r_t_augmentation * evaluation.kinematics.d_t;
+        const double length = trial.norm();
+        if (evaluation.response.threshold > 0. && length > 0.)
+          result.slip_direction = trial / length;
+      }
+    return result;
+  }
+
+  template ObservedState<2>
+  observe(const ContactPoint<2> &, const ContactEvaluation<2> &);
+  template ObservedState<3>
+  observe(const ContactPoint<3> &, const ContactEvaluation<3> &);
+} // namespace stickslip
