@@ -241,7 +241,9 @@ namespace stickslip
         std::ostringstream text;
         text << "no convergence to " << reduction << " in " << iterations
              << " iterations";
-        throw NoConvergence("Linear solver (block AMG)", text.str());
+        throw NoConvergence("Linear solver (block AMG)",
+                            text.str(),
+                            FailureCause::linear_solver);
       }
     const double per_digit = iterations / digits;
     if (is_fresh)

@@ -45,7 +45,8 @@ namespace stickslip
       {
         throw NoConvergence("Linear solver (block AMG)",
                             "no multigrid hierarchy of this matrix: " +
-                              short_message(error));
+                              short_message(error),
+                            FailureCause::linear_solver);
       }
     const IndexSet fine         = matrix.locally_owned_range_indices();
     const IndexSet coarse       = coarse_matrix.locally_owned_range_indices();

@@ -168,7 +168,7 @@ namespace stickslip
               << " failed and the next would be below 'Load stepping/Minimum "
                  "step' = "
               << parameters.minimum_step;
-        throw NoConvergence(where.str(), failure.what());
+        throw NoConvergence(where.str() + ": " + failure.what(), failure);
       }
   }
 

@@ -3,6 +3,7 @@
 
 #include <stickslip/contact/contact_results.h>
 
+#include <stickslip/output/diagnosis_output.h>
 #include <stickslip/output/output_directory.h>
 
 #include <stickslip/simulation/checkpoint.h>
@@ -63,7 +64,10 @@ namespace stickslip
     if (!restart_from.empty())
       resume(restart_from);
     else if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      retire_checkpoints(parameters.output.directory);
+      {
+        retire_checkpoints(parameters.output.directory);
+        remove_diagnoses(parameters.output.directory);
+      }
     while (!load_stepping.finished())
       {
         const double time = load_stepping.propose_step();
@@ -77,6 +81,7 @@ namespace stickslip
             give_up_step(failure);
           }
       }
+    log.note("done: " + std::to_string(load_stepping.step_number()) + " steps");
     progress.finished(load_stepping.step_number());
     return report_final_results();
   }
@@ -102,6 +107,7 @@ namespace stickslip
   Simulation<dim>::solve_step(const double time)
   {
     problem.counts = SolveCounts();
+    statuses.clear();
     predict(time);
     problem.begin_step(time, accepted.x);
     log.begin_step(load_stepping.step_number() + 1,
@@ -152,6 +158,7 @@ namespace stickslip
                                    LA::BlockVector       &increment)
   {
     problem.assemble(state);
+    statuses.record(problem.contact());
     ++problem.counts.newton_iterations;
     const std::string note = linear_solver->solve_system(
       problem.matrix(),
@@ -212,8 +219,13 @@ namespace stickslip
   {
     ++n_cuts;
     failed.newton_iterations += problem.counts.newton_iterations;
-    const std::string contact = describe_contact(problem.contact());
-    log.note("step failed: " + std::string(failure.what()) + "\n" + contact);
+    const FailureReport report = report_failure(failure,
+                                                load_stepping.step_number() + 1,
+                                                parameters,
+                                                problem,
+                                                statuses,
+                                                log.last_newton_run());
+    log.note(report.text());
     problem.restore();
     x                  = accepted.x;
     const double tried = load_stepping.propose_step();
@@ -232,8 +244,10 @@ namespace stickslip
           {
             state = error.what();
           }
-        throw NoConvergence(
-          failure_report(last.what(), contact, load_stepping.time(), state));
+        const std::string text =
+          report.final_text(last.what(), load_stepping.time(), state);
+        log.note("stopped: " + text);
+        throw NoConvergence(text, last);
       }
     progress.rejected_step(tried, failure.what(), load_stepping.step_size());
   }
@@ -367,19 +381,7 @@ namespace stickslip
   unsigned int
   Simulation<dim>::report_final_results()
   {
-    FinalResults results;
-    for (const auto &result : point_values.named_values(
-           problem.layout().dof_handler,
-           problem.ghosted_displacement(),
-           material_fields(problem.solid(), problem.ghosted_displacement())))
-      results.add(result.family, result.name, result.value);
-    const auto resultants =
-      compute_contact_resultants(contact_results(problem.contact()),
-                                 parameters.contact_pairs.size(),
-                                 communicator);
-    for (unsigned int p = 0; p < resultants.size(); ++p)
-      for (const auto &[name, value] : resultants[p].named_values())
-        results.add_of_pair(parameters.contact_pairs[p].first, name, value);
+    FinalResults results = final_results(parameters, problem, point_values);
     results.add("work", "external_work", external_work);
     results.add("work", "friction_work", friction_work);
     std::ostringstream text;

@@ -23,7 +23,7 @@ namespace stickslip
       loop.quantity->set_live(loop.is_live);
     std::string failure;
     if (!solve_level(0, x, failure))
-      throw NoConvergence("Fixed point", failure);
+      throw NoConvergence("Fixed point", failure, FailureCause::loop_limit);
   }
 
 

@@ -201,7 +201,7 @@ namespace stickslip
           }
       }
     if (best_merit == std::numeric_limits<double>::max())
-      throw NoConvergence("Newton", reason);
+      throw NoConvergence("Newton", reason, FailureCause::inadmissible);
     // No step reduces the residual (its kinks make that normal): take the best.
     x = start;
     x.add(best.step_length, increment);
@@ -256,6 +256,6 @@ namespace stickslip
          << parameters.contact_tolerance << "), relative increment "
          << state.increment << " (tolerance " << parameters.increment_tolerance
          << ")";
-    throw NoConvergence("Newton", text.str());
+    throw NoConvergence("Newton", text.str(), FailureCause::stagnation);
   }
 } // namespace stickslip

@@ -1,6 +1,8 @@
 #ifndef stickslip_simulation_simulation_h
 #define stickslip_simulation_simulation_h
 
+#include <stickslip/contact/status_history.h>
+
 #include <stickslip/mesh/mesh_builder.h>
 
 #include <stickslip/output/contact_output.h>
@@ -51,13 +53,14 @@ namespace stickslip
     std::unique_ptr<LinearSolver> linear_solver;
     LoadStepping                  load_stepping;
 
-    LA::BlockVector x;        ///< present state
-    AcceptedState   accepted; ///< last accepted state
-    double          external_work = 0.;
-    double          friction_work = 0.;
-    unsigned int    n_cuts        = 0;
-    ContactWarnings warnings;
-    SolveCounts     failed; ///< of steps that were cut since the last accepted
+    LA::BlockVector    x;        ///< present state
+    AcceptedState      accepted; ///< last accepted state
+    double             external_work = 0.;
+    double             friction_work = 0.;
+    unsigned int       n_cuts        = 0;
+    ContactWarnings    warnings;
+    StatusHistory<dim> statuses; ///< of the present attempt at a step
+    SolveCounts failed; ///< of steps that were cut since the last accepted
 
     FieldOutput<dim>   field_output;
     ContactOutput<dim> contact_output;
