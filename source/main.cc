@@ -6,6 +6,7 @@
 #include <stickslip/output/output_directory.h>
 
 #include <stickslip/simulation/case_parameters.h>
+#include <stickslip/simulation/run_summary.h>
 #include <stickslip/simulation/simulation.h>
 
 #include <deal.II/base/mpi.h>
@@ -89,6 +90,15 @@ namespace
 
 
 
+  void
+  print_summary(const std::string &directory)
+  {
+    throw_collectively(is_speaker() ? summarize_run(directory, std::cout) : "",
+                       MPI_COMM_WORLD);
+  }
+
+
+
   int
   act_on(const CommandLine &command_line)
   {
@@ -104,6 +114,9 @@ namespace
           return success;
         case CommandLine::Action::print_parameters:
           print_all_parameters(command_line);
+          return success;
+        case CommandLine::Action::diagnose:
+          print_summary(command_line.output_directory);
           return success;
         default:
           break;

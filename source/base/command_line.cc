@@ -20,6 +20,7 @@ namespace stickslip
                                                      "--set",
                                                      "--output-directory",
                                                      "--restart",
+                                                     "--diagnose",
                                                      "--quiet"};
       return names;
     }
@@ -104,7 +105,7 @@ namespace stickslip
       if (command_line.action != CommandLine::Action::run &&
           command_line.action != action)
         throw UserError(
-          "'--validate' and '--print-parameters' exclude each "
+          "'--validate', '--print-parameters' and '--diagnose' exclude each "
           "other.");
       command_line.action = action;
     }
@@ -167,6 +168,12 @@ namespace stickslip
       else if (option == "--restart")
         command_line.restart =
           reader.value_of(option, "a checkpoint directory or 'latest'");
+      else if (option == "--diagnose")
+        {
+          choose_action(command_line, Action::diagnose);
+          command_line.output_directory =
+            reader.value_of(option, "the output directory of a run");
+        }
       else if (option == "--quiet")
         command_line.is_quiet = true;
       else
@@ -218,7 +225,8 @@ namespace stickslip
                         "'. One run reads one file.");
 
     if (command_line.parameter_file.empty() &&
-        command_line.action != CommandLine::Action::print_parameters)
+        command_line.action != CommandLine::Action::print_parameters &&
+        command_line.action != CommandLine::Action::diagnose)
       throw UserError(
         "No parameter file. Usage: stickslip case.prm [options]; "
         "stickslip --help tells more.");
@@ -240,6 +248,8 @@ Options:
   --output-directory DIRECTORY  write results there
   --restart DIRECTORY|latest    continue from a checkpoint
   --validate                    check the parameter file and stop
+  --diagnose DIRECTORY          tell how the run in this output directory went,
+                                why it stopped and what to try
   --print-parameters [FORMAT]   print all parameters with their documentation;
                                 with case.prm its own, with their values;
                                 FORMAT: prm (default), json, markdown
@@ -252,6 +262,7 @@ Examples:
   stickslip case.prm --set "Dimension=3" --output-directory results
   stickslip --validate case.prm
   stickslip case.prm --print-parameters > complete.prm
+  stickslip --diagnose results
 
 Exit codes:
   0  done

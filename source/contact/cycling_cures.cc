@@ -133,13 +133,10 @@ namespace stickslip
                                     const State &b,
                                     const double natural) const
   {
-    return nearest_admissible(natural,
-                              {a.lambda_n / a.d_n, b.lambda_n / b.d_n},
-                              [&](const double r) {
-                                return (a.lambda_n - r * a.d_n) *
-                                         (b.lambda_n - r * b.d_n) >
-                                       0.;
-                              });
+    return nearest_admissible(
+      natural, {a.lambda_n / a.d_n, b.lambda_n / b.d_n}, [&](const double r) {
+        return (a.lambda_n - r * a.d_n) * (b.lambda_n - r * b.d_n) > 0.;
+      });
   }
 
 
@@ -186,16 +183,19 @@ namespace stickslip
     const State          &b         = now[cycle.pair][cycle.point];
     const Regularization &r         = point.regularization;
     const bool            is_normal = cycle.kind == CycleKind::contact;
-    const double          present = is_normal ? r.r_n_status : r.r_t_status;
-    const double          natural = is_normal ? r.natural_r_n : r.natural_r_t;
-    const double          better  = is_normal ? admissible_r_n(a, b, natural) :
-                                                admissible_r_t(a, b, natural);
+    const double          present   = is_normal ? r.r_n_status : r.r_t_status;
+    const double          natural   = is_normal ? r.natural_r_n : r.natural_r_t;
+    const double          better =
+      is_normal ? admissible_r_n(a, b, natural) : admissible_r_t(a, b, natural);
     // away from the natural scale another r only makes another cycle
     if (better == 0. || distance(better, natural) + std::log(no_change) >
                           distance(present, natural))
       return false;
     (is_normal ? point.cure.r_n_factor : point.cure.r_t_factor) *=
       better / present;
+    statuses.note_remedy(cycle.pair,
+                         cycle.point,
+                         is_normal ? "another r_n" : "another r_t");
     return true;
   }
 
@@ -205,14 +205,17 @@ namespace stickslip
   bool
   CyclingCures<dim>::hold_status(const PointCycle &cycle)
   {
-    auto &cure =
-      contact.contact_pairs()[cycle.pair]->points[cycle.point].cure;
+    auto &cure = contact.contact_pairs()[cycle.pair]->points[cycle.point].cure;
     const bool first_choice = cure.n_holds % 2 == 0;
     ++cure.n_holds;
-    if (cycle.kind == CycleKind::contact)
-      cure.held_closed = first_choice;
-    else
-      cure.held_stick = first_choice;
+    const bool is_normal = cycle.kind == CycleKind::contact;
+    (is_normal ? cure.held_closed : cure.held_stick) = first_choice;
+    statuses.note_remedy(cycle.pair,
+                         cycle.point,
+                         std::string("held ") +
+                           (is_normal      ? first_choice ? "closed" : "open"
+                            : first_choice ? "in stick"
+                                           : "in slip"));
     return true;
   }
 
@@ -225,13 +228,13 @@ namespace stickslip
     statuses.record(contact);
     read_states();
     text.clear();
-    last_outcome = Outcome::no_cycle;
+    last_outcome                         = Outcome::no_cycle;
     const std::vector<PointCycle> cycles = statuses.cycling_points();
     if (!act || Utilities::MPI::max(cycles.empty() ? 0 : 1,
                                     contact.get_communicator()) == 0)
       return;
 
-    std::array<unsigned int, 2>                treated{}; // other r, held
+    std::array<unsigned int, 2>             treated{}; // other r, held
     std::array<unsigned int, n_cycle_kinds> found{};
     for (const PointCycle &cycle : cycles)
       {
@@ -255,17 +258,17 @@ namespace stickslip
       ArrayView<const unsigned int>(treated.data(), treated.size()),
       contact.get_communicator(),
       ArrayView<unsigned int>(treated.data(), treated.size()));
-    Utilities::MPI::sum(
-      ArrayView<const unsigned int>(found.data(), found.size()),
-      contact.get_communicator(),
-      ArrayView<unsigned int>(found.data(), found.size()));
+    Utilities::MPI::sum(ArrayView<const unsigned int>(found.data(),
+                                                      found.size()),
+                        contact.get_communicator(),
+                        ArrayView<unsigned int>(found.data(), found.size()));
     const bool is_cured = treated[0] + treated[1] > 0;
     last_outcome        = is_cured ? Outcome::cured : Outcome::incurable;
     ++counts.cycles;
     counts.adapted_scales += treated[0];
     counts.held_statuses += treated[1];
     if (is_cured)
-      statuses.clear();
+      statuses.forget_records();
     std::ostringstream words;
     words << "  statuses repeat (";
     for (unsigned int kind = 0, n_words = 0; kind < n_cycle_kinds; ++kind)
@@ -289,7 +292,7 @@ namespace stickslip
         any = point.cure.release() || any;
     any = Utilities::MPI::max(any ? 1 : 0, contact.get_communicator()) > 0;
     if (any)
-      statuses.clear();
+      statuses.forget_records();
     return any;
   }
 
@@ -306,9 +309,9 @@ namespace stickslip
       if (pair->parameters.quadrature == "nodal")
         for (auto &point : pair->points)
           {
-            const Regularization &r   = point.regularization;
-            const double factor_n = r.natural_r_n / r.r_n_status;
-            const double factor_t = r.natural_r_t / r.r_t_status;
+            const Regularization &r        = point.regularization;
+            const double          factor_n = r.natural_r_n / r.r_n_status;
+            const double          factor_t = r.natural_r_t / r.r_t_status;
             point.cure.r_n_factor *= factor_n;
             point.cure.r_t_factor *= factor_t;
             largest = std::max({largest, factor_n, 1. / factor_n});

@@ -2,6 +2,7 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -86,6 +87,22 @@ namespace stickslip
 
 
 
+    /// True if no constraint touches the slave nodes of the point: every
+    /// direction is as free as the next, and nothing has to be evaluated.
+    template <int dim>
+    bool
+    moves_freely(const ContactPair<dim>  &pair,
+                 const ContactPoint<dim> &point,
+                 const Constraints       &constraints)
+    {
+      const auto &dofs = pair.slave_faces[point.slave_face].face.dofs;
+      return std::none_of(dofs.begin(), dofs.end(), [&](const auto dof) {
+        return constraints.is_constrained(dof);
+      });
+    }
+
+
+
     /// Squares of the motion that free unknowns, or the step, give the point.
     template <int dim>
     SymmetricTensor<2, dim>
@@ -162,10 +179,13 @@ namespace stickslip
             {
               if (!point.frame.paired)
                 continue;
-              const auto  K = mobility(*pair,
-                                      point,
-                                      contact.evaluate(*pair, point),
-                                      constraints);
+              const SymmetricTensor<2, dim> K =
+                moves_freely(*pair, point, constraints)
+                  ? unit_symmetric_tensor<dim>()
+                  : mobility(*pair,
+                             point,
+                             contact.evaluate(*pair, point),
+                             constraints);
               const auto &dofs =
                 pair->slave_faces[point.slave_face].multiplier_dofs;
               const auto &L = pair->table.multiplier[point.quadrature_index];
@@ -197,7 +217,7 @@ namespace stickslip
         for (auto &point : pair->points)
           {
             point.held_directions.clear();
-            if (!point.frame.paired)
+            if (!point.frame.paired || moves_freely(*pair, point, constraints))
               continue;
             const auto &dofs =
               pair->slave_faces[point.slave_face].multiplier_dofs;

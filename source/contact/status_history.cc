@@ -52,8 +52,8 @@ namespace stickslip
 
 
 
-    /// Smallest period with which the last entries of a ring repeat, constant
-    /// sequences included (1); 0 if there is none.
+    /// Smallest period from 2 to @p longest with which the last @p n_periods
+    /// periods of a ring repeat and do not stay the same; 0 if there is none.
     template <typename Ring>
     unsigned int
     period_of(const Ring        &ring,
@@ -62,15 +62,17 @@ namespace stickslip
               const unsigned int n_periods)
     {
       const unsigned int n_kept = std::min<unsigned int>(n, ring.size());
-      for (unsigned int period = 1; period <= longest; ++period)
+      for (unsigned int period = 2;
+           period <= longest && n_periods * period <= n_kept;
+           ++period)
         {
-          if (n_periods * period > n_kept)
-            return 0;
-          bool repeats = true;
+          bool is_constant = true, repeats = true;
+          for (unsigned int age = 1; age < period; ++age)
+            is_constant = is_constant && past(ring, n, age) == past(ring, n, 0);
           for (unsigned int age = 0; age < (n_periods - 1) * period; ++age)
             repeats =
               repeats && past(ring, n, age) == past(ring, n, age + period);
-          if (repeats)
+          if (repeats && !is_constant)
             return period;
         }
       return 0;
@@ -166,6 +168,16 @@ namespace stickslip
   void
   StatusHistory<dim>::clear()
   {
+    forget_records();
+    remedies.clear();
+  }
+
+
+
+  template <int dim>
+  void
+  StatusHistory<dim>::forget_records()
+  {
     n_recorded = 0;
     for (auto &of_pair : points)
       for (auto &records : of_pair)
@@ -251,9 +263,7 @@ namespace stickslip
   StatusCycle
   StatusHistory<dim>::cycle() const
   {
-    const unsigned int period =
-      period_of(hashes, n_recorded, longest_period, n_periods);
-    return {period > 1 ? period : 0};
+    return {period_of(hashes, n_recorded, longest_period, n_periods)};
   }
 
 
@@ -269,7 +279,7 @@ namespace stickslip
           const auto        &codes = points[p][i].codes;
           const unsigned int period =
             period_of(codes, n_recorded, longest_period, n_periods);
-          if (period <= 1)
+          if (period == 0)
             continue;
           bool changes_facet = false;
           for (unsigned int age = 0; age < period; ++age)
@@ -293,6 +303,28 @@ namespace stickslip
     for (unsigned int age = std::min(n_recorded, capacity); age-- > 0;)
       letters += letter(past(points[pair][point].codes, n_recorded, age));
     return letters;
+  }
+
+
+
+  template <int dim>
+  void
+  StatusHistory<dim>::note_remedy(const unsigned int pair,
+                                  const unsigned int point,
+                                  const std::string &remedy)
+  {
+    remedies[{pair, point}] = remedy;
+  }
+
+
+
+  template <int dim>
+  std::string
+  StatusHistory<dim>::remedy(const unsigned int pair,
+                             const unsigned int point) const
+  {
+    const auto found = remedies.find({pair, point});
+    return found == remedies.end() ? "" : found->second;
   }
 
 

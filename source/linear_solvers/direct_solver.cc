@@ -135,7 +135,9 @@ namespace stickslip
       }
     catch (const ExceptionBase &)
       {
-        throw NoConvergence("Linear solver (MUMPS)", singular_text, FailureCause::singular);
+        throw NoConvergence("Linear solver (MUMPS)",
+                            singular_text,
+                            FailureCause::singular);
       }
   }
 
@@ -173,7 +175,9 @@ namespace stickslip
           }
         catch (const ExceptionBase &)
           {
-            throw NoConvergence("Linear solver (MUMPS)", singular_text, FailureCause::singular);
+            throw NoConvergence("Linear solver (MUMPS)",
+                                singular_text,
+                                FailureCause::singular);
           }
         solution += correction;
         merged.residual(residual, solution, rhs);
@@ -184,7 +188,9 @@ namespace stickslip
           break;
       }
     if (!(error < singular_residual))
-      throw NoConvergence("Linear solver (MUMPS)", singular_text, FailureCause::singular);
+      throw NoConvergence("Linear solver (MUMPS)",
+                          singular_text,
+                          FailureCause::singular);
 
     for_each_entry([&](const unsigned int block, const auto i, const auto j) {
       x.block(block)(i) = solution(j);

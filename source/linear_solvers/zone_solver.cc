@@ -153,7 +153,9 @@ namespace stickslip
       }
     catch (const ExceptionBase &)
       {
-        throw NoConvergence(solver_name, "the matrix of the zone is singular", FailureCause::singular);
+        throw NoConvergence(solver_name,
+                            "the matrix of the zone is singular",
+                            FailureCause::singular);
       }
   }
 
@@ -172,7 +174,9 @@ namespace stickslip
       }
     catch (const ExceptionBase &)
       {
-        throw NoConvergence(solver_name, "the matrix of the zone is singular", FailureCause::singular);
+        throw NoConvergence(solver_name,
+                            "the matrix of the zone is singular",
+                            FailureCause::singular);
       }
     for (unsigned int k = 0; k < rows.size(); ++k)
       x.block(rows[k].block)(rows[k].index) += solution(first + k);

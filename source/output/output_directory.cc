@@ -50,7 +50,7 @@ namespace stickslip
           error = "Output/Directory: cannot write into '" + name +
                   "': " + reason + ".";
       }
-    throw_if_rank_0_failed(error, communicator);
+    throw_collectively(error, communicator);
   }
 
 
@@ -72,14 +72,4 @@ namespace stickslip
     return error ? "Cannot write '" + name + "': " + error.message() + "." : "";
   }
 
-
-
-  void
-  throw_if_rank_0_failed(const std::string &error, const MPI_Comm communicator)
-  {
-    const std::string error_everywhere =
-      Utilities::MPI::broadcast(communicator, error, 0);
-    if (!error_everywhere.empty())
-      throw UserError(error_everywhere);
-  }
 } // namespace stickslip

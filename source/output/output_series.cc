@@ -1,3 +1,5 @@
+#include <stickslip/base/user_error.h>
+
 #include <stickslip/output/output_directory.h>
 #include <stickslip/output/output_series.h>
 
@@ -139,7 +141,7 @@ namespace stickslip
           write_file_atomically(directory + name + (is_hdf5 ? ".xdmf" : ".pvd"),
                                 index_text());
       }
-    throw_if_rank_0_failed(error, communicator);
+    throw_collectively(error, communicator);
   }
 
 

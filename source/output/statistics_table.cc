@@ -1,3 +1,6 @@
+#include <stickslip/base/user_error.h>
+
+#include <stickslip/output/csv.h>
 #include <stickslip/output/output_directory.h>
 #include <stickslip/output/statistics_table.h>
 
@@ -5,8 +8,6 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <iomanip>
@@ -19,60 +20,6 @@ namespace stickslip
 
   namespace
   {
-    /// The shortest text that reads back as the same number.
-    std::string
-    exact_number(const double value)
-    {
-      std::array<char, 40> buffer;
-      const auto           result =
-        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-      return std::string(buffer.data(), result.ptr);
-    }
-
-    std::optional<double>
-    number_in_cell(const std::string &cell)
-    {
-      double     value = 0.;
-      const auto result =
-        std::from_chars(cell.data(), cell.data() + cell.size(), value);
-      if (cell.empty() || result.ec != std::errc() ||
-          result.ptr != cell.data() + cell.size())
-        return {};
-      return value;
-    }
-
-    std::string
-    quoted_for_csv(const std::string &cell)
-    {
-      if (cell.find_first_of(",\"\n") == std::string::npos)
-        return cell;
-      std::string result = "\"";
-      for (const char c : cell)
-        result += (c == '"' ? "\"\"" : std::string(1, c));
-      return result + "\"";
-    }
-
-    /// RFC 4180, without line breaks in a cell.
-    std::vector<std::string>
-    split_csv_line(const std::string &line)
-    {
-      std::vector<std::string> cells(1);
-      bool                     is_quoted = false;
-      for (std::size_t i = 0; i < line.size(); ++i)
-        if (line[i] == '"')
-          {
-            if (is_quoted && i + 1 < line.size() && line[i + 1] == '"')
-              cells.back() += line[i++];
-            else
-              is_quoted = !is_quoted;
-          }
-        else if (line[i] == ',' && !is_quoted)
-          cells.emplace_back();
-        else if (line[i] != '\r')
-          cells.back() += line[i];
-      return cells;
-    }
-
     /// For people: six digits, empty cells as '-', no blanks within a cell.
     std::string
     readable_cell(const std::string &cell)
@@ -140,7 +87,7 @@ namespace stickslip
                 rows.push_back(row);
             }
       }
-    throw_if_rank_0_failed(error, communicator);
+    throw_collectively(error, communicator);
   }
 
 
@@ -214,7 +161,7 @@ namespace stickslip
         error        = must_rewrite ? rewrite_files() : append_last_row();
         must_rewrite = false;
       }
-    throw_if_rank_0_failed(error, communicator);
+    throw_collectively(error, communicator);
   }
 
 

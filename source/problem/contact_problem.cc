@@ -371,9 +371,7 @@ namespace stickslip
         in_contact.insert(pair->parameters.master_body);
       }
     std::string text;
-    for (const std::string &motion :
-         boundary_conditions.unheld_rigid_motions(dofs.mapping,
-                                                  dofs.dof_handler))
+    for (const std::string &motion : free_motions())
       {
         bool may_be_held_by_contact = false;
         for (const std::string &body : in_contact)

@@ -19,22 +19,6 @@ namespace stickslip
 {
   namespace
   {
-    /// Makes all ranks throw if one has an @p error.
-    void
-    throw_if_any_rank_failed(const std::string &error,
-                             const MPI_Comm    &communicator)
-    {
-      const unsigned int n_ranks =
-        Utilities::MPI::n_mpi_processes(communicator);
-      const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
-      const unsigned int first =
-        Utilities::MPI::min(error.empty() ? n_ranks : rank, communicator);
-      if (first < n_ranks)
-        throw UserError(Utilities::MPI::broadcast(communicator, error, first));
-    }
-
-
-
     std::uint64_t
     new_identity()
     {
@@ -100,7 +84,7 @@ namespace stickslip
                 }
             }
         }
-      throw_if_rank_0_failed(error, communicator);
+      throw_collectively(error, communicator);
       checkpoint = Utilities::MPI::broadcast(communicator, checkpoint, 0);
       text       = Utilities::MPI::broadcast(communicator, text, 0);
       CheckpointDescription description;
@@ -197,7 +181,7 @@ namespace stickslip
         error                = prepare_next_checkpoint(directory, checkpoint);
         description.identity = new_identity();
       }
-    throw_if_rank_0_failed(error, communicator);
+    throw_collectively(error, communicator);
     checkpoint = Utilities::MPI::broadcast(communicator, checkpoint, 0);
     description.identity =
       Utilities::MPI::broadcast(communicator, description.identity, 0);
@@ -216,12 +200,12 @@ namespace stickslip
           state.write(cell, fields, record);
           writer.add(names.name_of(cell->id()), record);
         }
-    throw_if_any_rank_failed(writer.finish(), communicator);
+    throw_collectively(writer.finish(), communicator);
 
     if (rank == 0)
       error =
         declare_complete(checkpoint, description.text(), description.n_files);
-    throw_if_rank_0_failed(error, communicator);
+    throw_collectively(error, communicator);
   }
 
 
@@ -244,7 +228,7 @@ namespace stickslip
       read_own_cells(checkpoint, description, problem, fields);
     if (!damage.empty())
       damage = describe_damage(checkpoint, damage);
-    throw_if_any_rank_failed(damage, communicator);
+    throw_collectively(damage, communicator);
     for (LA::Vector *field : {&fields.displacement,
                               &fields.nodal_forces,
                               &fields.rate,

@@ -27,6 +27,7 @@ namespace stickslip
                              const double       time,
                              const double       size)
   {
+    last_run.clear();
     if (file.is_open())
       file << "step " << step << " to t = " << time << " (size " << size
            << ")\n        Newton   equilibrium       contact    prescribed"
@@ -40,6 +41,9 @@ namespace stickslip
   ConvergenceLog::newton_iteration(const unsigned int     iteration,
                                    const NewtonIteration &state)
   {
+    if (iteration == 0)
+      last_run.clear();
+    last_run.push_back(state);
     if (file.is_open())
       file << std::setw(14) << iteration << std::scientific
            << std::setprecision(4) << std::setw(14) << state.equilibrium

@@ -1,3 +1,7 @@
+#include <stickslip/contact/contact_results.h>
+
+#include <stickslip/output/diagnosis_output.h>
+
 #include <stickslip/simulation/failure_report.h>
 
 #include <sstream>
@@ -5,24 +9,70 @@
 namespace stickslip
 {
   std::string
-  failure_report(const std::string &failure,
-                 const std::string &contact,
-                 const double       time,
-                 const std::string &state)
+  FailureReport::text() const
+  {
+    return "step failed: " + failure + "\n" + contact +
+           "  cause: " + explanation.name + "\n" + explanation.text("  ");
+  }
+
+
+
+  std::string
+  FailureReport::final_text(const std::string &last_failure,
+                            const double       time,
+                            const std::string &state) const
   {
     std::ostringstream text;
-    text
-      << failure << "\nThe contact points when it failed:\n"
-      << contact << "Last accepted state: t = " << time << ". " << state
-      << "\nAll iterations are in convergence.log. What to try:\n"
-         "  - GNM cycles between statuses: 'Algorithm/Name = PNM' or FPM, or "
-         "a smaller 'Load stepping/Initial step';\n"
-         "  - points hop between master facets: 'Normals = smoothed', a finer "
-         "master surface;\n"
-         "  - many points unpaired: the slave has slid off the master; "
-         "exchange slave and master or enlarge the master boundary;\n"
-         "  - the residual grows: 'Algorithm/Newton/Line search = "
-         "backtracking'.";
+    text << last_failure << "\nThe contact points when it failed:\n"
+         << contact << "Last accepted state: t = " << time << ". " << state
+         << "\nAll iterations are in convergence.log";
+    if (!diagnosis.empty())
+      text << ", all contact points in " << diagnosis << ".csv and .vtu";
+    text << ".\nCause: " << explanation.name << "\n" << explanation.text("  ");
     return text.str();
   }
+
+
+
+  template <int dim>
+  FailureReport
+  report_failure(const NoConvergence                &failure,
+                 const unsigned int                  step,
+                 const CaseParameters               &parameters,
+                 ContactProblem<dim>                &problem,
+                 const StatusHistory<dim>           &statuses,
+                 const std::vector<NewtonIteration> &iterations)
+  {
+    const MPI_Comm communicator = problem.contact().get_communicator();
+    const auto     points       = diagnose_points(problem.contact(), statuses);
+    std::vector<std::string> pair_names;
+    for (const auto &pair : parameters.contact_pairs)
+      pair_names.push_back(pair.first);
+
+    FailureReport report;
+    report.failure   = failure.what();
+    report.contact   = describe_contact(problem.contact());
+    report.diagnosis = write_diagnosis(
+      parameters.output.directory, step, points, pair_names, communicator);
+    report.explanation = explain_failure<dim>({failure,
+                                               iterations,
+                                               parameters.algorithm.newton,
+                                               statuses.cycle(),
+                                               points,
+                                               parameters.contact_pairs,
+                                               problem.free_motions()},
+                                              communicator);
+    return report;
+  }
+
+#define INSTANTIATE(dim)                                            \
+  template FailureReport report_failure(const NoConvergence &,      \
+                                        const unsigned int,         \
+                                        const CaseParameters &,     \
+                                        ContactProblem<dim> &,      \
+                                        const StatusHistory<dim> &, \
+                                        const std::vector<NewtonIteration> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace stickslip

@@ -1,3 +1,8 @@
+#include <stickslip/contact/contact_results.h>
+
+#include <stickslip/output/contact_resultants.h>
+#include <stickslip/output/material_fields.h>
+
 #include <stickslip/simulation/final_results.h>
 
 #include <algorithm>
@@ -63,4 +68,37 @@ namespace stickslip
             << '\n';
       }
   }
+
+
+
+  template <int dim>
+  FinalResults
+  final_results(const CaseParameters   &parameters,
+                ContactProblem<dim>    &problem,
+                const PointValues<dim> &point_values)
+  {
+    FinalResults results;
+    for (const auto &result : point_values.named_values(
+           problem.layout().dof_handler,
+           problem.ghosted_displacement(),
+           material_fields(problem.solid(), problem.ghosted_displacement())))
+      results.add(result.family, result.name, result.value);
+    const auto resultants =
+      compute_contact_resultants(contact_results(problem.contact()),
+                                 parameters.contact_pairs.size(),
+                                 problem.contact().get_communicator());
+    for (unsigned int p = 0; p < resultants.size(); ++p)
+      for (const auto &[name, value] : resultants[p].named_values())
+        results.add_of_pair(parameters.contact_pairs[p].first, name, value);
+    return results;
+  }
+
+  template FinalResults
+  final_results(const CaseParameters &,
+                ContactProblem<2> &,
+                const PointValues<2> &);
+  template FinalResults
+  final_results(const CaseParameters &,
+                ContactProblem<3> &,
+                const PointValues<3> &);
 } // namespace stickslip

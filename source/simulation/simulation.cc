@@ -3,6 +3,7 @@
 
 #include <stickslip/contact/contact_results.h>
 
+#include <stickslip/output/diagnosis_output.h>
 #include <stickslip/output/output_directory.h>
 
 #include <stickslip/simulation/checkpoint.h>
@@ -62,7 +63,10 @@ namespace stickslip
     if (!restart_from.empty())
       resume(restart_from);
     else if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      retire_checkpoints(parameters.output.directory);
+      {
+        retire_checkpoints(parameters.output.directory);
+        remove_diagnoses(parameters.output.directory);
+      }
     while (!load_stepping.finished())
       {
         const double time = load_stepping.propose_step();
@@ -76,6 +80,7 @@ namespace stickslip
             give_up_step(failure);
           }
       }
+    log.note("done: " + std::to_string(load_stepping.step_number()) + " steps");
     progress.finished(load_stepping.step_number());
     return report_final_results();
   }
@@ -154,8 +159,13 @@ namespace stickslip
   Simulation<dim>::give_up_step(const NoConvergence &failure)
   {
     ++n_cuts;
-    const std::string contact = describe_contact(problem.contact());
-    log.note("step failed: " + std::string(failure.what()) + "\n" + contact);
+    const FailureReport report = report_failure(failure,
+                                                load_stepping.step_number() + 1,
+                                                parameters,
+                                                problem,
+                                                step_solver.cures.history(),
+                                                log.last_newton_run());
+    log.note(report.text());
     problem.restore();
     x                  = accepted.x;
     const double tried = load_stepping.propose_step();
@@ -174,9 +184,10 @@ namespace stickslip
           {
             state = error.what();
           }
-        throw NoConvergence(
-          failure_report(last.what(), contact, load_stepping.time(), state),
-          last);
+        const std::string text =
+          report.final_text(last.what(), load_stepping.time(), state);
+        log.note("stopped: " + text);
+        throw NoConvergence(text, last);
       }
     progress.rejected_step(tried, failure.what(), load_stepping.step_size());
   }
@@ -299,9 +310,9 @@ namespace stickslip
     statistics.add("external_work", external_work);
     statistics.add("friction_work", friction_work);
     statistics.finish_row();
-    n_cuts = 0;
+    n_cuts                               = 0;
     step_solver.failed_newton_iterations = 0;
-    step_solver.cures.counts = CureCounts();
+    step_solver.cures.counts             = CureCounts();
 
     if (resultants.empty())
       return;
@@ -320,19 +331,7 @@ namespace stickslip
   unsigned int
   Simulation<dim>::report_final_results()
   {
-    FinalResults results;
-    for (const auto &result : point_values.named_values(
-           problem.layout().dof_handler,
-           problem.ghosted_displacement(),
-           material_fields(problem.solid(), problem.ghosted_displacement())))
-      results.add(result.family, result.name, result.value);
-    const auto resultants =
-      compute_contact_resultants(contact_results(problem.contact()),
-                                 parameters.contact_pairs.size(),
-                                 communicator);
-    for (unsigned int p = 0; p < resultants.size(); ++p)
-      for (const auto &[name, value] : resultants[p].named_values())
-        results.add_of_pair(parameters.contact_pairs[p].first, name, value);
+    FinalResults results = final_results(parameters, problem, point_values);
     results.add("work", "external_work", external_work);
     results.add("work", "friction_work", friction_work);
     std::ostringstream text;

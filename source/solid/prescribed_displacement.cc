@@ -1,5 +1,3 @@
-#include <stickslip/base/user_error.h>
-
 #include <stickslip/solid/prescribed_displacement.h>
 
 #include <deal.II/base/mpi.h>
@@ -315,19 +313,6 @@ namespace stickslip
     collector.collect();
     error += collector.error;
     return std::move(collector.nodes);
-  }
-
-
-
-  void
-  throw_collectively(const std::string &error, const MPI_Comm communicator)
-  {
-    if (Utilities::MPI::max(error.empty() ? 0 : 1, communicator) == 0)
-      return;
-    for (const std::string &text :
-         Utilities::MPI::all_gather(communicator, error))
-      if (!text.empty())
-        throw UserError(text);
   }
 
 

@@ -1,3 +1,5 @@
+#include <stickslip/base/user_error.h>
+
 #include <stickslip/solid/boundary_conditions.h>
 #include <stickslip/solid/rigid_body_modes.h>
 

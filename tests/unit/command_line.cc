@@ -19,7 +19,7 @@ test(std::vector<const char *> arguments)
       const CommandLine line =
         parse_command_line(arguments.size(), arguments.data());
       const char *const actions[] = {
-        "run", "help", "version", "print parameters", "validate"};
+        "run", "help", "version", "print parameters", "validate", "diagnose"};
       std::cout << actions[static_cast<int>(line.action)] << " '"
                 << line.parameter_file << "' format " << line.format
                 << " output '" << line.output_directory << "' restart '"
@@ -46,6 +46,7 @@ main()
   test({"--print-parameters", "json"});
   test({"--print-parameters=markdown", "case.prm"});
   test({"--print-parameters", "case.prm", "--set", "A=b"});
+  test({"--diagnose", "results"});
   test({"case.prm", "--nonsense", "--help"});
   test({"--version"});
 
@@ -62,6 +63,8 @@ main()
   test({"case.prm", "--restart="});
   test({"--print-parameters", "jsn"});
   test({"--print-parameters", "--validate", "case.prm"});
+  test({"--diagnose"});
+  test({"--diagnose", "results", "--validate", "case.prm"});
 
   std::cout << help_text();
 }

@@ -17,7 +17,8 @@ namespace stickslip
       help,             ///< print help_text()
       version,          ///< print version_text()
       print_parameters, ///< in format; of parameter_file if there is one
-      validate          ///< check parameter_file, compute nothing
+      validate,         ///< check parameter_file, compute nothing
+      diagnose          ///< summarize the run in output_directory
     };
 
     Action      action = Action::run;

@@ -9,14 +9,14 @@ namespace stickslip
   /// Why a load step could not be solved: what may help depends on it.
   enum class FailureCause
   {
-    cycle,        ///< the contact statuses proved to repeat themselves
-    stagnation,   ///< the iteration limit of Newton's method
-    loop_limit,   ///< the limit of a fixed-point loop or of all iterations
-    divergence,   ///< the residual grew without bound
-    inadmissible, ///< a state outside of what a material or cell can be
-    singular,     ///< a matrix that cannot be factorised
+    cycle,         ///< the contact statuses proved to repeat themselves
+    stagnation,    ///< the iteration limit of Newton's method
+    loop_limit,    ///< the limit of a fixed-point loop or of all iterations
+    divergence,    ///< the residual grew without bound
+    inadmissible,  ///< a state outside of what a material or cell can be
+    singular,      ///< a matrix that cannot be factorised
     linear_solver, ///< a Krylov method that stalled
-    rejected      ///< converged, but to a state that violates the contact law
+    rejected       ///< converged, but to a state that violates the contact law
   };
 
   /// As it appears in log and statistics.

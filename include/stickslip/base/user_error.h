@@ -1,11 +1,15 @@
 #ifndef stickslip_base_user_error_h
 #define stickslip_base_user_error_h
 
+#include <deal.II/base/mpi.h>
+
 #include <stdexcept>
 #include <string>
 
 namespace stickslip
 {
+  using namespace dealii;
+
   /**
    * An input that cannot be run. The text names the parameter (as
    * "Section/Name"), what was found and what is allowed; main() prints it once
@@ -18,6 +22,15 @@ namespace stickslip
       : std::runtime_error(text)
     {}
   };
+
+
+
+  /**
+   * Throws UserError with the first (by rank) non-empty @p error on all ranks;
+   * does nothing if all are empty. Collective.
+   */
+  void
+  throw_collectively(const std::string &error, const MPI_Comm communicator);
 } // namespace stickslip
 
 #endif

@@ -5,7 +5,9 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stickslip
@@ -88,6 +90,11 @@ namespace stickslip
     void
     clear();
 
+    /// Forgets the records, so that what is proven from now on is new, but not
+    /// the remedies. Not collective.
+    void
+    forget_records();
+
     /// Adds what the points of @p contact are doing. Collective.
     void
     record(const ContactAssembler<dim> &contact);
@@ -119,6 +126,17 @@ namespace stickslip
     std::string
     text(const unsigned int pair, const unsigned int point) const;
 
+    /// Remembers what was done about a point of this rank, for the diagnosis,
+    /// until clear(). Not collective.
+    void
+    note_remedy(const unsigned int pair,
+                const unsigned int point,
+                const std::string &remedy);
+
+    /// What note_remedy() was told last; empty: nothing. Not collective.
+    std::string
+    remedy(const unsigned int pair, const unsigned int point) const;
+
     /// How often a point of this rank has changed its facet among the kept
     /// records. Not collective.
     unsigned int
@@ -138,6 +156,8 @@ namespace stickslip
     std::vector<std::vector<PointRecords>> points; ///< by pair
     std::array<std::uint64_t, capacity>    hashes; ///< of all points, a ring
     unsigned int                           n_recorded = 0;
+
+    std::map<std::pair<unsigned int, unsigned int>, std::string> remedies;
 
     void
     name_points(const ContactAssembler<dim> &contact);

@@ -24,13 +24,6 @@ namespace stickslip
    */
   std::string
   write_file_atomically(const std::string &name, const std::string &text);
-
-  /**
-   * Throws UserError(@p error) on all ranks if @p error is not empty on
-   * rank 0. Collective.
-   */
-  void
-  throw_if_rank_0_failed(const std::string &error, const MPI_Comm communicator);
 } // namespace stickslip
 
 #endif

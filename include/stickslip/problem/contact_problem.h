@@ -22,6 +22,8 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace stickslip
 {
@@ -129,6 +131,15 @@ namespace stickslip
     /// Forgets the histories of a failed step.
     void
     restore();
+
+    /// Rigid motions that no boundary condition holds
+    /// (BoundaryConditions::unheld_rigid_motions).
+    std::vector<std::string>
+    free_motions() const
+    {
+      return boundary_conditions.unheld_rigid_motions(dofs.mapping,
+                                                      dofs.dof_handler);
+    }
 
     /// Throws UserError for bodies that nothing can hold.
     void

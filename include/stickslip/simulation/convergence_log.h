@@ -7,6 +7,7 @@
 
 #include <fstream>
 #include <string>
+#include <vector>
 
 namespace stickslip
 {
@@ -37,13 +38,21 @@ namespace stickslip
               const double       change,
               const unsigned int depth);
 
+    /// The iterations of the last Newton run, on all ranks.
+    const std::vector<NewtonIteration> &
+    last_newton_run() const
+    {
+      return last_run;
+    }
+
     /// Free text, for example why a step failed.
     void
     note(const std::string &text);
 
   private:
-    std::string   name; ///< empty except on rank 0
-    std::ofstream file; ///< open on rank 0 only
+    std::string                  name; ///< empty except on rank 0
+    std::ofstream                file; ///< open on rank 0 only
+    std::vector<NewtonIteration> last_run;
   };
 } // namespace stickslip
 

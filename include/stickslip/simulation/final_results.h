@@ -1,6 +1,11 @@
 #ifndef stickslip_simulation_final_results_h
 #define stickslip_simulation_final_results_h
 
+#include <stickslip/output/point_values.h>
+
+#include <stickslip/problem/contact_problem.h>
+
+#include <stickslip/simulation/case_parameters.h>
 #include <stickslip/simulation/reference_checks.h>
 
 #include <deal.II/base/tensor.h>
@@ -41,6 +46,16 @@ namespace stickslip
     NamedValues              named_values;
     std::vector<std::string> families;
   };
+
+
+
+  /// The named points and the resultants of the contact pairs in the present
+  /// configuration. Collective.
+  template <int dim>
+  FinalResults
+  final_results(const CaseParameters   &parameters,
+                ContactProblem<dim>    &problem,
+                const PointValues<dim> &point_values);
 } // namespace stickslip
 
 #endif

@@ -1,6 +1,8 @@
 #ifndef stickslip_simulation_simulation_h
 #define stickslip_simulation_simulation_h
 
+#include <stickslip/contact/status_history.h>
+
 #include <stickslip/mesh/mesh_builder.h>
 
 #include <stickslip/output/contact_output.h>

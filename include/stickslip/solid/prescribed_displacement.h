@@ -79,13 +79,6 @@ namespace stickslip
                   const std::vector<PrescribedDisplacement<dim>> &conditions,
                   const double                                    time,
                   std::string                                    &error);
-
-  /**
-   * Throws UserError with the first (by rank) non-empty @p error on all ranks;
-   * does nothing if all are empty. Collective.
-   */
-  void
-  throw_collectively(const std::string &error, const MPI_Comm communicator);
 } // namespace stickslip
 
 #endif

@@ -1,0 +1,59 @@
+#ifndef stickslip_simulation_failed_step_h
+#define stickslip_simulation_failed_step_h
+
+#include <stickslip/base/no_convergence.h>
+#include <stickslip/base/parameter_file.h>
+
+#include <stickslip/contact/contact_parameters.h>
+#include <stickslip/contact/point_diagnosis.h>
+
+#include <stickslip/strategy/newton_solver.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace stickslip
+{
+  /// What a failed attempt at a load step has left behind.
+  template <int dim>
+  struct FailedStep
+  {
+    const NoConvergence                    &failure;
+    const std::vector<NewtonIteration>     &iterations; ///< last solve
+    const NewtonParameters                 &newton;
+    StatusCycle                             cycle;  ///< of all points
+    const std::vector<PointDiagnosis<dim>> &points; ///< of this rank
+    const NamedList<ContactPairParameters> &pairs;
+    /// Rigid motions that contact alone can hold: "body 'x': translation ...".
+    std::vector<std::string> free_motions;
+  };
+
+
+
+  /// The contact points with some property: how many, and of the pair that has
+  /// most of them the box around their current positions.
+  template <int dim>
+  struct PointGroup
+  {
+    unsigned int n      = 0; ///< of all pairs
+    unsigned int pair   = 0;
+    unsigned int n_pair = 0; ///< of this pair
+    Point<dim>   lower, upper;
+  };
+
+  /// Collective.
+  template <int dim>
+  PointGroup<dim>
+  find_group(
+    const FailedStep<dim>                                  &step,
+    const std::function<bool(const PointDiagnosis<dim> &)> &has_property,
+    const MPI_Comm                                          communicator);
+
+  /// "3 points of pair 'x', between (...) and (...)."
+  template <int dim>
+  std::string
+  describe(const PointGroup<dim> &group, const FailedStep<dim> &step);
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,197 @@
+// Why a load step failed: traces of failures made by hand, and what is said
+// about them. The points are on the last rank, so that ranks have to agree.
+
+#include <stickslip/simulation/failure_explanation.h>
+
+#include <iostream>
+
+using namespace stickslip;
+
+namespace
+{
+  /// A failed step with nothing to see; each test adds its traces.
+  struct Traces
+  {
+    std::string                      message = "Newton: no convergence";
+    FailureCause                     cause   = FailureCause::stagnation;
+    std::vector<NewtonIteration>     iterations;
+    StatusCycle                      cycle;
+    std::vector<PointDiagnosis<2>>   points;
+    NamedList<ContactPairParameters> pairs;
+    std::vector<std::string>         free_motions;
+
+    Traces()
+      : pairs(2)
+    {
+      pairs[0].first              = "sole";
+      pairs[0].second.slave_body  = "shoe";
+      pairs[0].second.master_body = "floor";
+      pairs[0].second.friction    = "Coulomb";
+      pairs[1].first              = "wall";
+      pairs[1].second.slave_body  = "shoe";
+      pairs[1].second.master_body = "brick";
+      const bool has_points =
+        Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) + 1 ==
+        Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+      for (unsigned int i = 0; has_points && i < 10; ++i)
+        {
+          PointDiagnosis<2> point{};
+          point.pair       = i < 6 ? 0 : 1;
+          point.position   = Point<2>(0.5 * i, 1.);
+          point.state      = ContactState::open;
+          point.was_paired = true;
+          points.push_back(point);
+        }
+    }
+
+    void
+    set_states(const ContactState state, const bool has_threshold)
+    {
+      for (auto &point : points)
+        {
+          point.state         = state;
+          point.has_threshold = has_threshold;
+        }
+    }
+
+    void
+    set_cycle(const unsigned int first,
+              const unsigned int last,
+              const CycleKind    kind,
+              const bool         changes_facet = false)
+    {
+      for (unsigned int i = first; i <= last && i < points.size(); ++i)
+        {
+          points[i].cycle         = name_of(kind);
+          points[i].period        = 2;
+          points[i].changes_facet = changes_facet;
+        }
+    }
+
+    void
+    set_residuals(const std::vector<double> &equilibrium)
+    {
+      for (const double residual : equilibrium)
+        {
+          iterations.emplace_back();
+          iterations.back().equilibrium = residual;
+        }
+    }
+  };
+
+
+
+  void
+  explain(const std::string &title, const Traces &traces)
+  {
+    const NoConvergence    failure("Newton", "no convergence", traces.cause);
+    const NoConvergence    retold(traces.message, failure);
+    const NewtonParameters newton;
+    const auto             explanation = explain_failure<2>({retold,
+                                                             traces.iterations,
+                                                             newton,
+                                                             traces.cycle,
+                                                             traces.points,
+                                                             traces.pairs,
+                                                             traces.free_motions},
+                                                MPI_COMM_WORLD);
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::cout << title << " -> " << explanation.name << '\n'
+                << explanation.text("  ") << std::endl;
+  }
+
+
+
+  void
+  test_matrices_and_cells()
+  {
+    Traces inverted;
+    inverted.cause = FailureCause::inadmissible;
+    inverted.message =
+      "Newton: The volume is not positive in body 'shoe' at "
+      "the reference position (1, 2).";
+    explain("inverted cell", inverted);
+
+    Traces singular;
+    singular.cause = FailureCause::singular;
+    explain("nothing closed", singular);
+    singular.free_motions = {"body 'shoe': translation along x"};
+    explain("free body", singular);
+    singular.set_states(ContactState::slip, false);
+    explain("free body without pressure", singular);
+    singular.set_states(ContactState::slip, true);
+    explain("free body that slips", singular);
+    singular.set_states(ContactState::stick, true);
+    explain("body that sticks", singular);
+  }
+
+
+
+  void
+  test_points()
+  {
+    Traces cycle;
+    cycle.cycle = {2};
+    cycle.set_cycle(2, 4, CycleKind::contact);
+    explain("cycle of the contact status", cycle);
+    cycle.set_cycle(0, 3, CycleKind::stick);
+    cycle.set_cycle(9, 9, CycleKind::direction, true);
+    cycle.cycle = {};
+    explain("two cycles, not proven", cycle);
+
+    Traces facets;
+    facets.set_cycle(7, 9, CycleKind::contact, true);
+    explain("cycle of facets and contact", facets);
+
+    Traces hopping;
+    for (auto &point : hopping.points)
+      point.n_facet_changes = point.position[0] == 2.5 ? 20 : 2;
+    explain("hopping", hopping);
+
+    Traces lost;
+    for (auto &point : lost.points)
+      if (point.position[0] > 3.)
+        point.state = ContactState::unpaired;
+    explain("lost contact", lost);
+  }
+
+
+
+  void
+  test_iterations()
+  {
+    Traces loop;
+    loop.cause   = FailureCause::loop_limit;
+    loop.message = "Fixed point: the geometry loop did not settle in 30 passes";
+    explain("outer loop", loop);
+
+    Traces grows;
+    grows.set_residuals({1., 10., 1e2, 1e3, 1e4, 1e5, 1e6, 1e7});
+    explain("diverging", grows);
+    Traces stagnates;
+    stagnates.set_residuals({1., 1e-3, 3e-8, 2e-8, 3e-8, 3e-8, 2e-8, 3e-8});
+    explain("stagnating", stagnates);
+    Traces slow;
+    slow.set_residuals({1., 1e-1, 5e-2, 3e-2, 2e-2, 1.5e-2, 1e-2, 0.8e-2});
+    explain("slow", slow);
+    Traces unclear;
+    unclear.set_residuals({1., 1e-1, 5e-2, 3e-1, 2e-3, 1.5e-1, 1e-2, 0.8e-1});
+    explain("to and fro", unclear);
+    unclear.iterations.clear();
+    unclear.set_residuals({1., 0.1});
+    for (auto &state : unclear.iterations)
+      state.contact = 1.;
+    explain("few iterations", unclear);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test_matrices_and_cells();
+  test_points();
+  test_iterations();
+}
