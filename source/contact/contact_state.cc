@@ -8,9 +8,16 @@ namespace stickslip
   observe(const ContactPoint<dim>      &point,
           const ContactEvaluation<dim> &evaluation)
   {
-    ObservedState<dim> result;
+    ObservedState<dim>   result;
+    const Tensor<1, dim> Lambda =
+      tangential_vector<dim>(evaluation.multipliers.Lambda,
+                             evaluation.kinematics.tau);
     if (!point.frame.paired)
       return result;
+    result.values = {evaluation.multipliers.lambda_n,
+                     evaluation.kinematics.d_n,
+                     Lambda,
+                     evaluation.kinematics.d_t};
     if (!evaluation.status.closed)
       result.state = ContactState::open;
     else if (evaluation.status.stick)
@@ -19,8 +26,7 @@ namespace stickslip
       {
         result.state = ContactState::slip;
         const Tensor<1, dim> trial =
-          tangential_vector<dim>(evaluation.multipliers.Lambda,
-                                 evaluation.kinematics.tau) +
+          Lambda +
           point.regularization.r_t_augmentation * evaluation.kinematics.d_t;
         const double length = trial.norm();
         if (evaluation.response.threshold > 0. && length > 0.)

@@ -6,16 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <sstream>
 
 namespace stickslip
 {
   namespace
   {
-    /// How far beyond a bound of eqs. 29 and 32 the new r lies.
-    constexpr double beyond_bound = 2.;
-
     /// Changes of r below this factor are none.
     constexpr double no_change = 1.01;
 
@@ -24,34 +20,11 @@ namespace stickslip
 
 
 
+    /// As factors.
     double
     distance(const double a, const double b)
     {
       return std::abs(std::log(a / b));
-    }
-
-
-
-    /// The number nearest to @p natural (as a factor) at which both statuses
-    /// agree; they change at @p bounds. 0 if there is none.
-    double
-    nearest_admissible(const double                               natural,
-                       const std::vector<double>                 &bounds,
-                       const std::function<bool(const double r)> &agree)
-    {
-      std::vector<double> candidates = {natural};
-      for (const double bound : bounds)
-        if (bound > 0. && std::isfinite(bound))
-          {
-            candidates.push_back(bound * beyond_bound);
-            candidates.push_back(bound / beyond_bound);
-          }
-      double best = 0.;
-      for (const double r : candidates)
-        if (agree(r) &&
-            (best == 0. || distance(r, natural) < distance(best, natural)))
-          best = r;
-      return best;
     }
   } // namespace
 
@@ -113,60 +86,8 @@ namespace stickslip
       {
         now.emplace_back();
         for (const auto &point : pair->points)
-          {
-            const auto &state = contact.evaluate(*pair, point);
-            now.back().push_back(
-              {state.multipliers.lambda_n,
-               state.kinematics.d_n,
-               tangential_vector<dim>(state.multipliers.Lambda,
-                                      state.kinematics.tau),
-               state.kinematics.d_t});
-          }
+          now.back().push_back(point.observed.values);
       }
-  }
-
-
-
-  template <int dim>
-  double
-  CyclingCures<dim>::admissible_r_n(const State &a,
-                                    const State &b,
-                                    const double natural) const
-  {
-    return nearest_admissible(
-      natural, {a.lambda_n / a.d_n, b.lambda_n / b.d_n}, [&](const double r) {
-        return (a.lambda_n - r * a.d_n) * (b.lambda_n - r * b.d_n) > 0.;
-      });
-  }
-
-
-
-  template <int dim>
-  double
-  CyclingCures<dim>::admissible_r_t(const State &a,
-                                    const State &b,
-                                    const double natural) const
-  {
-    // bounds: |Lambda + r d_t| = 1
-    std::vector<double> bounds;
-    for (const State *state : {&a, &b})
-      {
-        const double square   = state->d_t.norm_square();
-        const double product  = state->Lambda * state->d_t;
-        const double constant = state->Lambda.norm_square() - 1.;
-        const double root     = product * product - square * constant;
-        if (square > 0. && root >= 0.)
-          {
-            bounds.push_back((-product + std::sqrt(root)) / square);
-            bounds.push_back((-product - std::sqrt(root)) / square);
-          }
-      }
-    const auto excess = [](const State &state, const double r) {
-      return (state.Lambda + r * state.d_t).norm() - 1.;
-    };
-    return nearest_admissible(natural, bounds, [&](const double r) {
-      return excess(a, r) * excess(b, r) > 0.;
-    });
   }
 
 
@@ -179,8 +100,8 @@ namespace stickslip
     ContactPoint<dim> &point = pair.points[cycle.point];
     if (pair.parameters.quadrature != "nodal" || before.empty())
       return false;
-    const State          &a         = before[cycle.pair][cycle.point];
-    const State          &b         = now[cycle.pair][cycle.point];
+    const auto           &a         = before[cycle.pair][cycle.point];
+    const auto           &b         = now[cycle.pair][cycle.point];
     const Regularization &r         = point.regularization;
     const bool            is_normal = cycle.kind == CycleKind::contact;
     const double          present   = is_normal ? r.r_n_status : r.r_t_status;

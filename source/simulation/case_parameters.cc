@@ -134,6 +134,13 @@ namespace stickslip
       material.check("Materials/" + name, dimension, degree);
     check_named_list("Boundary conditions", boundary_conditions);
     check_named_list("Contact", contact_pairs);
+    if (algorithm.name == "GCP")
+      for (const auto &[name, pair] : contact_pairs)
+        if (pair.quadrature != "nodal")
+          throw UserError("'Contact/" + name +
+                          "/Quadrature' = " + pair.quadrature +
+                          ": 'Algorithm/Name = GCP' needs 'nodal', where every "
+                          "multiplier belongs to one place.");
     load_stepping.check("Load stepping");
     linear_solver.check("Linear solver");
     output.check("Output");

@@ -1,3 +1,4 @@
+#include <stickslip/simulation/dual_increment.h>
 #include <stickslip/simulation/step_solver.h>
 
 #include <stickslip/strategy/nested_fixed_point.h>
@@ -136,10 +137,8 @@ namespace stickslip
 
     const NewtonSolver     newton_solver(parameters.algorithm.newton, newton);
     const NestedFixedPoint fixed_point(
-      make_loops(algorithm,
-                 parameters.algorithm,
-                 problem.quantities(),
-                 problem.counts),
+      make_loops(
+        algorithm, parameters.algorithm, problem.quantities(), problem.counts),
       [&](LA::BlockVector &state) {
         cures.begin_solve();
         newton_solver.solve(state);
@@ -176,8 +175,13 @@ namespace stickslip
                                    const double           sufficient,
                                    LA::BlockVector       &increment)
   {
-    problem.assemble(state);
     ++problem.counts.newton_iterations;
+    if (ladder.algorithm() == "GCP")
+      {
+        solve_dual_increment(problem, state, increment);
+        return;
+      }
+    problem.assemble(state);
     const std::string note = linear_solver.solve_system(
       problem.matrix(),
       [this]() -> const auto & { return problem.describe_system(); },

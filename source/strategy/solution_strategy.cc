@@ -15,6 +15,7 @@ namespace stickslip
       static const std::map<std::string, LiveFlags> algorithms = {
         {"FPM", {{false, false, false}}},
         {"PNM", {{false, true, true}}},
+      {"GCP", {{false, false, true}}},
         {"GNM", {{true, true, true}}}};
       return algorithms;
     }
@@ -58,9 +59,12 @@ namespace stickslip
       "FPM: fixed points on geometry, friction threshold and contact status. "
       "PNM: fixed point on the geometry, the rest in Newton. GNM: everything "
       "in Newton. automatic: GNM, and in steps where it cycles, stagnates or "
-      "ends in a wrong state PNM and then FPM. custom: what the Treatment of "
-      "each quantity says.",
-      Patterns::Selection("automatic|FPM|PNM|GNM|custom"));
+      "ends in a wrong state PNM and then FPM. GCP: fixed points on geometry "
+      "and threshold, statuses from a projected conjugate gradient in the "
+      "multipliers; for comparison, needs 'Quadrature = nodal' and bodies "
+      "that are held without contact. custom: what the Treatment of each "
+      "quantity says.",
+      Patterns::Selection("automatic|FPM|PNM|GNM|GCP|custom"));
     prm.add_parameter(
       "Tangent",
       tangent,

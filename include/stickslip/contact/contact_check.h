@@ -21,12 +21,12 @@ namespace stickslip
    */
   struct ContactViolation
   {
-    double penetration = 0.; ///< [length]
-    double tension     = 0.; ///< [stress]
-    double disc        = 0.; ///< |Lambda| - 1
-    double stick_slip  = 0.; ///< slip of the step at sticking points [length]
-    double direction   = 0.; ///< |Lambda - direction of slip| where it slips
-    double normal_law  = 0.;
+    double penetration  = 0.; ///< [length]
+    double tension      = 0.; ///< [stress]
+    double disc         = 0.; ///< |Lambda| - 1
+    double stick_slip   = 0.; ///< slip of the step at sticking points [length]
+    double direction    = 0.; ///< |Lambda - direction of slip| where it slips
+    double normal_law   = 0.;
     double friction_law = 0.;
     /// Points that were paired when the step began, have no partner now, and
     /// lie behind the place where they met it.

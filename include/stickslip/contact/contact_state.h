@@ -1,7 +1,7 @@
 #ifndef stickslip_contact_contact_state_h
 #define stickslip_contact_contact_state_h
 
-#include <deal.II/base/tensor.h>
+#include <stickslip/contact/admissible_scale.h>
 
 namespace stickslip
 {
@@ -26,7 +26,8 @@ namespace stickslip
     ContactState state = ContactState::unpaired;
     /// Unit vector of the friction force; zero unless the point slips with
     /// friction.
-    Tensor<1, dim> slip_direction;
+    Tensor<1, dim>   slip_direction;
+    StatusState<dim> values;
   };
 
 

@@ -1,6 +1,7 @@
 #ifndef stickslip_contact_cycling_cures_h
 #define stickslip_contact_cycling_cures_h
 
+#include <stickslip/contact/admissible_scale.h>
 #include <stickslip/contact/status_history.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -103,22 +104,14 @@ namespace stickslip
     CureCounts counts;
 
   private:
-    /// What decides about a status: multipliers, gap and slip.
-    struct State
-    {
-      double         lambda_n = 0.;
-      double         d_n      = 0.;
-      Tensor<1, dim> Lambda;
-      Tensor<1, dim> d_t;
-    };
-
-    const CyclingParameters         parameters;
-    ContactAssembler<dim>          &contact;
-    StatusHistory<dim>              statuses;
-    std::vector<std::vector<State>> before; ///< [pair][point], last iterate
-    std::vector<std::vector<State>> now;
-    Outcome                         last_outcome = Outcome::no_cycle;
-    std::string                     text;
+    const CyclingParameters parameters;
+    ContactAssembler<dim>  &contact;
+    StatusHistory<dim>      statuses;
+    std::vector<std::vector<StatusState<dim>>>
+      before; ///< [pair][point], last iterate
+    std::vector<std::vector<StatusState<dim>>> now;
+    Outcome                                    last_outcome = Outcome::no_cycle;
+    std::string                                text;
 
     void
     read_states();
@@ -128,12 +121,6 @@ namespace stickslip
 
     bool
     hold_status(const PointCycle &cycle);
-
-    double
-    admissible_r_n(const State &a, const State &b, const double natural) const;
-
-    double
-    admissible_r_t(const State &a, const State &b, const double natural) const;
   };
 } // namespace stickslip
 

@@ -51,6 +51,7 @@ namespace stickslip
    * | FPM    | fixed point | fixed point | fixed point |
    * | PNM    | fixed point | newton      | newton      |
    * | GNM    | newton      | newton      | newton      |
+   * | GCP    | fixed point | fixed point | projected conjugate gradient |
    * | custom | as the parameters say                   |
    *
    * @p name is one of these; `automatic` is not (see AlgorithmLadder).
