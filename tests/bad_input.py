@@ -70,6 +70,9 @@ CASES = {
     "a load that is not a number": (
         "plate.prm", "subsection Boundary conditions\n subsection top\n set Value = 50*sqrt(-t)\n end\nend",
         WRONG_INPUT, ["Boundary conditions", "A load", "not a number", "time 1"]),
+    "a gap offset that is not a number": (
+        "plate.prm", "subsection Contact\n subsection base\n set Gap offset = sqrt(-t)\n end\nend",
+        WRONG_INPUT, ["Contact/base/Gap offset", "not a number", "time 1"]),
     "fewer contact points than multipliers": (
         "plate.prm", "set Degree = 2\nsubsection Contact\n subsection base\n set Quadrature = Gauss\n set Quadrature order = 2\n end\nend",
         WRONG_INPUT, ["Contact/base/Quadrature", "Quadrature order", "2 contact points", "3 multipliers", "Multiplier space", "Degree"]),

@@ -212,8 +212,7 @@ namespace stickslip
                                          const double      time)
   {
     for (auto &point : points)
-      point.gap_offset =
-        gap_offset.value(Point<dim>(point.reference_position), time);
+      point.gap_offset = gap_offset_at(point, time);
     for (unsigned int f = 0; f < slave_faces.size(); ++f)
       {
         const SurfaceFace<dim> &face = slave_faces[f].face;

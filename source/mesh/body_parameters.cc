@@ -32,12 +32,16 @@ namespace stickslip
       "|n| cells (and the ratio of the last to the first cell) in between: "
       "0 |2| 5 |10, 0.2| 40 : 0 |4| 10. annular_sector: inner radius : outer "
       "radius : first angle : last angle (degrees) : radial cells : angular "
-      "cells, and in 3D : length : axial cells.");
+      "cells, and in 3D : length : axial cells; its boundary ids are 0 inner "
+      "arc, 1 outer arc, 2 first angle, 3 last angle, 4 and 5 the ends in z.");
     prm.add_parameter("Mesh file",
                       mesh_file,
                       "A mesh of quadrilaterals (2D) or hexahedra (3D); "
                       "relative names start at the folder of the .prm file. "
-                      "Physical groups become boundary and material ids.");
+                      "Physical groups become boundary and material ids. An "
+                      "Abaqus *SURFACE gets the number in its name as its id, "
+                      "one without a number the next free number from 1, in "
+                      "the order of the file.");
     prm.add_parameter(
       "Mesh format",
       mesh_format,

@@ -7,10 +7,15 @@
 #include <deal.II/grid/grid_in.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
+#include <set>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace stickslip
 {
@@ -82,6 +87,59 @@ namespace stickslip
 
 
 
+    /// The number in the name of an Abaqus surface; -1 if there is none.
+    int
+    number_in(const std::string &name)
+    {
+      const auto first = name.find_first_of("0123456789");
+      return first == std::string::npos ? -1 : std::atoi(&name[first]);
+    }
+
+
+
+    /// Gives the *SURFACEs without a number in their names, which deal.II
+    /// would not read, the next free numbers from 1, in the order of the file.
+    std::string
+    with_numbered_surfaces(const std::string &contents)
+    {
+      const std::regex surface(
+        R"((\s*\*\s*surface\s*,.*\bname\s*=\s*"?)([^,"]*)(.*))",
+        std::regex::icase);
+      std::vector<std::string> lines;
+      std::istringstream       stream(contents);
+      for (std::string line; std::getline(stream, line);)
+        lines.push_back(line);
+
+      std::set<int>             used;
+      std::vector<unsigned int> without_number;
+      std::smatch               parts;
+      for (unsigned int i = 0; i < lines.size(); ++i)
+        if (lines[i].find('*') != std::string::npos &&
+            std::regex_match(lines[i], parts, surface))
+          {
+            const int number = number_in(parts[2]);
+            used.insert(number);
+            if (number < 0)
+              without_number.push_back(i);
+          }
+      int next = 1;
+      for (const unsigned int i : without_number)
+        {
+          while (used.count(next) > 0)
+            ++next;
+          used.insert(next);
+          lines[i] = std::regex_replace(lines[i],
+                                        surface,
+                                        "$1SS" + std::to_string(next) + "$3");
+        }
+      std::string result;
+      for (const std::string &line : lines)
+        result += line + '\n';
+      return result;
+    }
+
+
+
     template <int dim>
     void
     parse_mesh(const std::string  &contents,
@@ -89,9 +147,10 @@ namespace stickslip
                Triangulation<dim> &triangulation)
     {
       // Without an end, deal.II's Abaqus reader waits for it forever.
-      std::istringstream stream(contents +
-                                (format == "abaqus" ? "\n*END STEP\n" : "\n"));
-      GridIn<dim>        grid_in(triangulation);
+      std::istringstream stream(
+        format == "abaqus" ? with_numbered_surfaces(contents) + "\n*END STEP\n"
+                           : contents + "\n");
+      GridIn<dim> grid_in(triangulation);
       if (format == "gmsh")
         grid_in.read_msh(stream);
       else if (format == "abaqus")

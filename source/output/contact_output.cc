@@ -1,4 +1,5 @@
 #include <stickslip/output/contact_output.h>
+#include <stickslip/output/contact_points_table.h>
 
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/utilities.h>
@@ -19,8 +20,8 @@ namespace stickslip
        "normal",
        "Lambda",
        "traction"}};
-    constexpr std::array<const char *, 5> contact_scalar_names{
-      {"pressure", "lambda_n", "gap", "status", "pair"}};
+    constexpr std::array<const char *, 6> contact_scalar_names{
+      {"pressure", "lambda_n", "gap", "paired", "status", "pair"}};
 
     /**
      * Faces as patches: lets deal.II's parallel writers do their work on data
@@ -137,6 +138,7 @@ namespace stickslip
           for (const double scalar : {-face.lambda_n[i],
                                       face.lambda_n[i],
                                       fields.gap[i],
+                                      fields.paired[i],
                                       static_cast<double>(fields.state),
                                       static_cast<double>(face.pair)})
             patch.data(row++, i) = scalar;
@@ -184,6 +186,7 @@ namespace stickslip
     const ContactFaceResult<dim> &face)
     : tangential_traction(face.reference_positions.size())
     , gap(face.reference_positions.size(), 0.)
+    , paired(face.reference_positions.size(), 0.)
     , slip(face.reference_positions.size())
     , accumulated_slip(face.reference_positions.size())
     , normal(face.reference_positions.size())
@@ -214,6 +217,7 @@ namespace stickslip
             tangential_traction[i] /= weight_of_all;
             slip[i] /= weight_of_all;
             accumulated_slip[i] /= weight_of_all;
+            paired[i] = weight_of_paired / weight_of_all;
           }
         if (weight_of_paired > 0.)
           gap[i] /= weight_of_paired;
@@ -230,6 +234,8 @@ namespace stickslip
     : deformed(parameters.deformed)
     , higher_order_cells(parameters.higher_order_cells &&
                          parameters.format == "vtu")
+    , writes_points(parameters.contact_points)
+    , directory(parameters.directory)
     , communicator(communicator)
     , series(parameters, "contact", communicator)
   {}
@@ -265,6 +271,11 @@ namespace stickslip
       dim == 3 && higher_order_cells && degree > 1;
     patches.set_flags(flags);
     series.write(patches, step, time);
+    if (writes_points)
+      write_contact_points(directory + "/contact_points-" +
+                             Utilities::int_to_string(step, 4) + ".csv",
+                           faces,
+                           communicator);
   }
 
 

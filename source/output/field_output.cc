@@ -5,7 +5,9 @@
 
 #include <deal.II/numerics/data_out.h>
 
+#include <algorithm>
 #include <memory>
+#include <tuple>
 
 namespace stickslip
 {
@@ -41,6 +43,40 @@ namespace stickslip
       }
 
       Vector<float> body, material, rank;
+    };
+
+
+
+    /// Knows by the names of the components which of them are a tensor: deal.II
+    /// thinks that a tensor has dim x dim of them.
+    template <int dim>
+    class FieldPatches : public DataOut<dim>
+    {
+    protected:
+      using Range =
+        std::tuple<unsigned int,
+                   unsigned int,
+                   std::string,
+                   DataComponentInterpretation::DataComponentInterpretation>;
+
+      virtual std::vector<Range>
+      get_nonscalar_data_ranges() const override
+      {
+        std::vector<Range> ranges = DataOut<dim>::get_nonscalar_data_ranges();
+        const std::vector<std::string> names = this->get_dataset_names();
+        for (const std::string &tensor : {"cauchy_stress", "strain"})
+          {
+            const auto first = std::find(names.begin(), names.end(), tensor);
+            const unsigned int i = first - names.begin();
+            if (first != names.end())
+              ranges.emplace_back(
+                i,
+                i + 8,
+                tensor,
+                DataComponentInterpretation::component_is_part_of_tensor);
+          }
+        return ranges;
+      }
     };
   } // namespace
 
@@ -81,7 +117,7 @@ namespace stickslip
     const CellFields<dim> cell_fields(dof_handler.get_triangulation(), bodies);
     std::unique_ptr<StressProjection<dim>> projection;
 
-    DataOut<dim> data_out;
+    FieldPatches<dim> data_out;
     data_out.attach_triangulation(dof_handler.get_triangulation());
     data_out.add_data_vector(
       dof_handler,
@@ -96,8 +132,7 @@ namespace stickslip
                                                              material);
         data_out.add_data_vector(projection->get_dof_handler(),
                                  projection->get_values(),
-                                 projection->names(),
-                                 projection->interpretations());
+                                 projection->names());
       }
     cell_fields.attach_to(data_out);
 

@@ -79,6 +79,12 @@ namespace stickslip
                       "the run can be continued; 0: never.",
                       Patterns::Integer(0));
 
+    prm.add_parameter("Contact points",
+                      contact_points,
+                      "Write a table contact_points-NNNN.csv of all contact "
+                      "points, with every digit, beside the fields of each "
+                      "written step.");
+
     prm.enter_subsection("Points");
     for (auto &[name, point] : points)
       {

@@ -164,8 +164,8 @@ namespace stickslip
   std::vector<std::string>
   StressProjection<dim>::names() const
   {
-    std::vector<std::string> result(dim * dim, "cauchy_stress");
-    result.insert(result.end(), dim * dim, "strain");
+    std::vector<std::string> result(9, "cauchy_stress");
+    result.insert(result.end(), 9, "strain");
     result.push_back("von_mises_stress");
     if (dim == 2)
       {
@@ -179,28 +179,14 @@ namespace stickslip
 
 
   template <int dim>
-  std::vector<DataComponentInterpretation::DataComponentInterpretation>
-  StressProjection<dim>::interpretations() const
-  {
-    std::vector<DataComponentInterpretation::DataComponentInterpretation>
-      result(names().size(), DataComponentInterpretation::component_is_scalar);
-    std::fill_n(result.begin(),
-                2 * dim * dim,
-                DataComponentInterpretation::component_is_part_of_tensor);
-    return result;
-  }
-
-
-
-  template <int dim>
   std::vector<double>
   StressProjection<dim>::components(const SymmetricTensor<2, 3> &stress,
                                     const SymmetricTensor<2, 3> &strain)
   {
     std::vector<double> result;
     for (const SymmetricTensor<2, 3> &tensor : {stress, strain})
-      for (unsigned int i = 0; i < dim; ++i)
-        for (unsigned int j = 0; j < dim; ++j)
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
           result.push_back(tensor[i][j]);
     result.push_back(von_mises_stress(stress));
     if (dim == 2)

@@ -187,6 +187,7 @@ namespace stickslip
     time  = new_time;
     x_old = accepted;
     forget_state();
+    check_gap_offsets(contact_assembler->contact_pairs(), time, communicator);
     if (u_old.size() > 0)
       u_old = x_old.block(0);
   }
@@ -235,11 +236,13 @@ namespace stickslip
 
     forces = internal.block(0);
     forces += contact.block(0);
+    unbalanced = forces;
+    unbalanced -= external.block(0);
 
     std::array<double, 3> squares{}; // imbalance, reactions, loads
     for (const auto i : dofs.owned)
       {
-        const double r = forces(i) - external.block(0)(i);
+        const double r = unbalanced(i);
         squares[constraints->increment().is_constrained(i) ? 1 : 0] += r * r;
         squares[2] += external.block(0)(i) * external.block(0)(i);
       }

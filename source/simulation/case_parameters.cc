@@ -1,3 +1,4 @@
+#include <stickslip/base/declared_parameters.h>
 #include <stickslip/base/user_error.h>
 
 #include <stickslip/simulation/case_parameters.h>
@@ -30,6 +31,23 @@ namespace stickslip
     {
       for (const auto &[name, member] : list)
         member.check(section + "/" + name);
+    }
+
+
+
+    /// All values of the members of the list @p section, without subsections
+    /// (Regularization does not change what is solved).
+    void
+    add_values(const DeclaredSection &all,
+               const std::string     &section,
+               ParameterValues       &values)
+    {
+      for (const DeclaredSection &member :
+           all.find_subsection(section)->subsections)
+        for (const DeclaredParameter &parameter : member.parameters)
+          values.emplace_back(section + "/" + member.name + "/" +
+                                parameter.name,
+                              parameter.value);
     }
   } // namespace
 
@@ -97,6 +115,11 @@ namespace stickslip
     file.apply_to(prm);
     mesh.input_directory = file.directory();
     check();
+    const DeclaredSection all = declared_parameters(prm);
+    if (!materials.empty())
+      add_values(all, "Materials", physics);
+    if (!contact_pairs.empty())
+      add_values(all, "Contact", physics);
   }
 
 

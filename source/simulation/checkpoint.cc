@@ -167,7 +167,8 @@ namespace stickslip
   save_checkpoint(const std::string       &directory,
                   ContactProblem<dim>     &problem,
                   const AcceptedState     &accepted,
-                  const CheckpointScalars &scalars)
+                  const CheckpointScalars &scalars,
+                  const ParameterValues   &physics)
   {
     const MPI_Comm        communicator = problem.contact().get_communicator();
     const unsigned int    rank = Utilities::MPI::this_mpi_process(communicator);
@@ -175,6 +176,7 @@ namespace stickslip
     description.problem = fingerprint(problem);
     description.n_files = Utilities::MPI::n_mpi_processes(communicator);
     description.scalars = scalars;
+    description.physics = physics;
     std::string checkpoint, error;
     if (rank == 0)
       {
@@ -214,7 +216,8 @@ namespace stickslip
   CheckpointScalars
   load_checkpoint(const std::string   &directory,
                   ContactProblem<dim> &problem,
-                  AcceptedState       &accepted)
+                  AcceptedState       &accepted,
+                  ParameterValues     &physics)
   {
     const MPI_Comm communicator = problem.contact().get_communicator();
     std::string    checkpoint;
@@ -239,19 +242,22 @@ namespace stickslip
     accepted.nodal_forces = fields.nodal_forces;
     accepted.rate         = fields.rate;
     problem.restore(); // the state goes on from the accepted histories
+    physics = description.physics;
     return description.scalars;
   }
 
 
 
-#define INSTANTIATE(dim)                                                 \
-  template void              save_checkpoint(const std::string &,        \
-                                             ContactProblem<dim> &,      \
-                                             const AcceptedState &,      \
-                                             const CheckpointScalars &); \
-  template CheckpointScalars load_checkpoint(const std::string &,        \
-                                             ContactProblem<dim> &,      \
-                                             AcceptedState &);
+#define INSTANTIATE(dim)                                                \
+  template void              save_checkpoint(const std::string &,       \
+                                             ContactProblem<dim> &,     \
+                                             const AcceptedState &,     \
+                                             const CheckpointScalars &, \
+                                             const ParameterValues &);  \
+  template CheckpointScalars load_checkpoint(const std::string &,       \
+                                             ContactProblem<dim> &,     \
+                                             AcceptedState &,           \
+                                             ParameterValues &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

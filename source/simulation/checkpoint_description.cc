@@ -1,3 +1,5 @@
+#include <stickslip/output/csv.h>
+
 #include <stickslip/simulation/cell_records.h>
 #include <stickslip/simulation/cell_state.h>
 #include <stickslip/simulation/checkpoint_description.h>
@@ -9,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <iomanip>
+#include <map>
 #include <sstream>
 
 namespace stickslip
@@ -17,6 +20,9 @@ namespace stickslip
   {
     const std::string checkpoint_first_line = "stickslip checkpoint 1";
     const std::string checkpoint_last_line  = "end";
+
+    /// Begins the lines of CheckpointDescription::physics.
+    const std::string parameter_mark = "parameter ";
 
     /// Sums over the same mesh differ by less than this fraction of the sum of
     /// the sizes of their terms, whatever the order.
@@ -67,6 +73,31 @@ namespace stickslip
       return std::to_string(Utilities::MPI::sum(of_this_rank, communicator));
     }
   } // namespace
+
+
+
+  std::vector<std::string>
+  changed_values(const ParameterValues &before, const ParameterValues &now)
+  {
+    const std::map<std::string, std::string> old(before.begin(), before.end());
+    const std::map<std::string, std::string> present(now.begin(), now.end());
+    std::vector<std::string>                 texts;
+    for (const auto &[name, value] : now)
+      {
+        const auto found = old.find(name);
+        if (found == old.end())
+          texts.push_back("'" + name + "' = " + value + " is new");
+        else if (found->second != value &&
+                 (!number_in_cell(value) ||
+                  number_in_cell(value) != number_in_cell(found->second)))
+          texts.push_back("'" + name + "' was " + found->second + " and is " +
+                          value);
+      }
+    for (const auto &[name, value] : before)
+      if (present.count(name) == 0)
+        texts.push_back("'" + name + "' = " + value + " is gone");
+    return texts;
+  }
 
 
 
@@ -156,6 +187,8 @@ namespace stickslip
     out << '\n';
     for (const auto &[name, value] : problem.properties)
       out << name << " = " << value << '\n';
+    for (const auto &[name, value] : physics)
+      out << parameter_mark << name << " = " << value << '\n';
     out << checkpoint_last_line << '\n';
     return out.str();
   }
@@ -193,13 +226,18 @@ namespace stickslip
           problem.geometry.push_back(value);
       }
     problem.properties.clear();
+    physics.clear();
     while (is_good && std::getline(in, line) && line != checkpoint_last_line)
       {
         const auto equals = line.find(" = ");
         is_good           = equals != std::string::npos;
-        if (is_good)
-          problem.properties.emplace_back(line.substr(0, equals),
-                                          line.substr(equals + 3));
+        if (!is_good)
+          continue;
+        const bool is_parameter = line.find(parameter_mark) == 0;
+        const auto start        = is_parameter ? parameter_mark.size() : 0;
+        (is_parameter ? physics : problem.properties)
+          .emplace_back(line.substr(start, equals - start),
+                        line.substr(equals + 3));
       }
     return is_good && line == checkpoint_last_line && n_files > 0
              ? ""

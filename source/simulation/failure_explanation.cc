@@ -12,6 +12,9 @@ namespace stickslip
     /// first ones explain.
     constexpr unsigned int many_facet_changes = 8;
 
+    /// A limit of Newton iterations below this may be the cause itself.
+    constexpr unsigned int usual_iterations = 15;
+
 
 
     template <int dim>
@@ -360,8 +363,11 @@ namespace stickslip
       return {"iteration limit",
               step.failure.what(),
               where,
-              "a smaller 'Load stepping/Initial step'; 'Algorithm/Name = PNM', "
-              "then FPM."};
+              step.newton.max_iterations < usual_iterations
+                ? "a larger 'Algorithm/Newton/Max iterations'; a smaller 'Load "
+                  "stepping/Initial step'."
+                : "a smaller 'Load stepping/Initial step'; 'Algorithm/Name = "
+                  "PNM', then FPM."};
     }
   } // namespace
 

@@ -41,7 +41,7 @@ namespace stickslip
     , contact_output(parameters.output, communicator)
     , point_values(parameters.output, mesh.bodies, communicator)
     , statistics(parameters.output.directory + "/statistics", communicator)
-    , resultant_table(parameters.output.directory + "/resultants", communicator)
+    , force_tables(parameters, communicator)
     , log(parameters.output.directory, communicator)
     , step_solver(parameters, problem, *linear_solver, log)
     , progress(parameters.output.verbosity,
@@ -139,11 +139,12 @@ namespace stickslip
     for (const auto &pair : resultants)
       friction_work -= pair.friction_work;
     for (const std::string &text : warnings.of_step(resultants))
-      {
-        log.note("warning: " + text);
-        progress.warn(text);
-      }
-    write_statistics(resultants);
+      warn(text);
+    write_statistics();
+    force_tables.write(load_stepping.step_number(),
+                       load_stepping.time(),
+                       resultants,
+                       problem.reactions());
     write_results(faces);
     progress.accepted_step(load_stepping.step_number(),
                            load_stepping.time(),
@@ -237,7 +238,8 @@ namespace stickslip
                      load_stepping.step_size(),
                      load_stepping.step_number(),
                      external_work,
-                     friction_work});
+                     friction_work},
+                    parameters.physics);
   }
 
 
@@ -248,8 +250,9 @@ namespace stickslip
   {
     const std::string &directory =
       restart_from == "latest" ? parameters.output.directory : restart_from;
+    ParameterValues         old_physics;
     const CheckpointScalars scalars =
-      load_checkpoint(directory, problem, accepted);
+      load_checkpoint(directory, problem, accepted, old_physics);
     external_work = scalars.external_work;
     friction_work = scalars.friction_work;
     load_stepping.resume(scalars.time, scalars.step_size, scalars.step);
@@ -257,21 +260,23 @@ namespace stickslip
     problem.begin_step(scalars.time, accepted.x);
     problem.begin_iteration(accepted.x);
     log.note("continues from " + directory);
+    if (!old_physics.empty())
+      for (const auto &text : changed_values(old_physics, parameters.physics))
+        warn("the state was computed with another parameter: " + text + ".");
     if (!checkpoint_is_in(directory, parameters.output.directory, communicator))
       return; // the tables there are of another run
     field_output.resume(scalars.time);
     contact_output.resume(scalars.time);
     point_values.resume(scalars.time);
     statistics.resume(scalars.time);
-    resultant_table.resume(scalars.time);
+    force_tables.resume(scalars.time);
   }
 
 
 
   template <int dim>
   void
-  Simulation<dim>::write_statistics(
-    const std::vector<ContactResultants<dim>> &resultants)
+  Simulation<dim>::write_statistics()
   {
     const SolveCounts &counts    = problem.counts;
     const Acceptance  &found     = step_solver.acceptance();
@@ -313,16 +318,6 @@ namespace stickslip
     n_cuts                               = 0;
     step_solver.failed_newton_iterations = 0;
     step_solver.cures.counts             = CureCounts();
-
-    if (resultants.empty())
-      return;
-    resultant_table.add("step", load_stepping.step_number());
-    resultant_table.add("time", load_stepping.time());
-    for (unsigned int p = 0; p < resultants.size(); ++p)
-      for (const auto &[name, value] : resultants[p].named_values())
-        resultant_table.add(parameters.contact_pairs[p].first + "." + name,
-                            value);
-    resultant_table.finish_row();
   }
 
 

@@ -154,8 +154,18 @@ namespace
         << ", of face states "
         << Utilities::MPI::sum(sum_of_states, MPI_COMM_WORLD) << std::endl;
 
+    // Of an open face whose last point has no master any more.
+    ContactFaceResult<dim> half_paired = make_faces<dim>(5, degree).back();
+    half_paired.points.back().state    = ContactState::unpaired;
+    half_paired.points.back().gap      = 0.;
+    const ContactNodalFields<dim> fields(half_paired);
+    out << "  with an unpaired point: gap " << fields.gap.front() << " ... "
+        << fields.gap.back() << ", paired " << fields.paired.front() << " ... "
+        << fields.paired.back() << std::endl;
+
     OutputParameters parameters;
-    parameters.directory = directory;
+    parameters.directory      = directory;
+    parameters.contact_points = true;
     for (const std::string format : {"vtu", "hdf5"})
       {
         parameters.format = format;
@@ -294,8 +304,8 @@ namespace
                                        .system_to_component_index(i)
                                        .first;
               const double exact =
-                c < dim * dim       ? s[c / dim][c % dim]
-                : c < 2 * dim * dim ? 0.1 * s[c / dim - dim][c % dim]
+                c < 9    ? s[c / 3][c % 3]
+                : c < 18 ? 0.1 * s[c / 3 - 3][c % 3]
                 : names[c] == "equivalent_plastic_strain" ? 3. * x[0] - x[1]
                 : names[c] == "von_mises_stress"          ? von_mises_stress(s)
                 : names[c] == "cauchy_stress_zz"          ? s[2][2]

@@ -69,6 +69,13 @@ namespace stickslip
                          const LA::Vector &u_old,
                          const double      time);
 
+    /// What the user adds to the gap of a point at @p time.
+    double
+    gap_offset_at(const ContactPoint<dim> &point, const double time) const
+    {
+      return gap_offset.value(Point<dim>(point.reference_position), time);
+    }
+
     /// Pairing and frame of a point in the present configuration.
     ContactFrame<dim>
     find_frame(const ContactPoint<dim> &point) const;

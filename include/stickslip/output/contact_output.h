@@ -15,13 +15,15 @@ namespace stickslip
    * The slave surfaces of all contact pairs as files for ParaView. Fields:
    * displacement, pressure (-lambda_n), tangential_traction, gap, slip,
    * traction (pressure on the slave plus tangential_traction),
-   * accumulated_slip, normal (of the master), lambda_n, Lambda, status and
-   * pair.
+   * accumulated_slip, normal (of the master), lambda_n, Lambda, paired, status
+   * and pair. On request all contact points as a table beside them.
    *
    * Multipliers and displacement are nodal by nature. What is known at contact
    * points (traction, gap, slips, normal) is brought to the nodes of each face
    * as the weighted mean sum(N_i w q) / sum(N_i w) over its points with
-   * N_i > 0, which cannot overshoot the values at the points. `status` is the
+   * N_i > 0, which cannot overshoot the values at the points. Gap and normal
+   * are those of the paired points, and 0 at nodes without any; `paired` is
+   * the part of a node's points that are paired. `status` is the
    * state of the largest part of the face's area, constant on the face, so
    * that its colours are states (0 unpaired, 1 open, 2 stick, 3 slip) and not
    * something between them.
@@ -47,9 +49,11 @@ namespace stickslip
           const std::vector<ContactFaceResult<dim>> &faces);
 
   private:
-    const bool     deformed;
-    const bool     higher_order_cells;
-    const MPI_Comm communicator;
+    const bool        deformed;
+    const bool        higher_order_cells;
+    const bool        writes_points;
+    const std::string directory;
+    const MPI_Comm    communicator;
 
     OutputSeries series;
   };
@@ -64,6 +68,7 @@ namespace stickslip
 
     std::vector<Tensor<1, dim>> tangential_traction;
     std::vector<double>         gap;
+    std::vector<double>         paired; ///< 0 ... 1
     std::vector<Tensor<1, dim>> slip;
     std::vector<Tensor<1, dim>> accumulated_slip;
     std::vector<Tensor<1, dim>> normal;

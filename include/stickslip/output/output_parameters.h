@@ -45,6 +45,7 @@ namespace stickslip
     bool         deformed            = false;
     std::string  verbosity           = "progress";
     unsigned int checkpoint_interval = 0;
+    bool         contact_points      = false;
 
     NamedList<PointParameters> points;
 

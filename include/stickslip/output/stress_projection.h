@@ -8,8 +8,6 @@
 
 #include <deal.II/fe/mapping.h>
 
-#include <deal.II/numerics/data_component_interpretation.h>
-
 #include <string>
 #include <vector>
 
@@ -42,11 +40,10 @@ namespace stickslip
     const LA::Vector &
     get_values() const;
 
+    /// Names of the components. Those of a tensor, nine whatever the dimension
+    /// (so that files have zz in 2D, too), share a name: xx, xy, ..., zz.
     std::vector<std::string>
     names() const;
-
-    std::vector<DataComponentInterpretation::DataComponentInterpretation>
-    interpretations() const;
 
   private:
     /// Components of stress and strain at one node, in the order of names().

@@ -18,11 +18,13 @@
 #include <stickslip/solid/boundary_conditions.h>
 #include <stickslip/solid/material_parameters.h>
 #include <stickslip/solid/solid_assembler.h>
+#include <stickslip/solid/support_forces.h>
 
 #include <array>
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stickslip
@@ -88,6 +90,19 @@ namespace stickslip
     nodal_forces() const
     {
       return forces;
+    }
+
+    /// The forces that supports exert in the last evaluated state
+    /// (solid/support_forces.h). Collective.
+    std::vector<std::pair<std::string, Tensor<1, dim>>>
+    reactions() const
+    {
+      return support_forces(boundary_conditions,
+                            dofs.mapping,
+                            dofs.dof_handler,
+                            mesh.bodies,
+                            time,
+                            unbalanced);
     }
 
     /// Assembles matrix and right hand side of the increment at @p x.
@@ -203,6 +218,7 @@ namespace stickslip
     LA::BlockVector x_old;
     LA::Vector      u, u_old, lambda; ///< ghosted
     LA::Vector      forces;           ///< internal plus contact
+    LA::Vector      unbalanced;       ///< forces minus loads
     double          force_floor = 0.;
 
     // what the last configure() was for

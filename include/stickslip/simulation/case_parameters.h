@@ -15,6 +15,7 @@
 
 #include <stickslip/problem/acceptance.h>
 
+#include <stickslip/simulation/checkpoint_description.h>
 #include <stickslip/simulation/load_stepping.h>
 #include <stickslip/simulation/reference_checks.h>
 
@@ -48,6 +49,10 @@ namespace stickslip
     LinearSolverParameters                 linear_solver;
     OutputParameters                       output;
     NamedList<ReferenceCheckParameters>    checks;
+
+    /// Parameters of materials and contact pairs ("Materials/soft/Law") and
+    /// their values: what a state depends on beside the mesh.
+    ParameterValues physics;
 
     CaseParameters() = default;
 

@@ -12,8 +12,8 @@ namespace stickslip
 {
   /**
    * Writes an accepted @p state below @p directory (the output directory), the
-   * histories of @p problem, and the faces that the contact points are paired
-   * with.
+   * histories of @p problem, the faces that the contact points are paired
+   * with, and the parameters @p physics that the state was computed with.
    *
    * The state is cut into records of cells: nodal values, point history,
    * multipliers and contact points of the cell's slave faces. Each rank writes
@@ -34,13 +34,15 @@ namespace stickslip
   save_checkpoint(const std::string       &directory,
                   ContactProblem<dim>     &problem,
                   const AcceptedState     &state,
-                  const CheckpointScalars &scalars);
+                  const CheckpointScalars &scalars,
+                  const ParameterValues   &physics);
 
   /**
    * Reads the latest complete checkpoint below @p directory, or the one that
    * @p directory itself is, into @p state and the histories of @p problem. It must be the same mesh with the same contact
    * pairs, and no step may have been made yet: the pairings become valid when
-   * the problem is configured for the first time.
+   * the problem is configured for the first time. @p physics are the parameters
+   * that the state was computed with (none in checkpoints of older versions).
    *
    * A rank looks into the files beginning with those where its own number
    * stands and stops when it has all its cells: one file if nothing has
@@ -57,7 +59,8 @@ namespace stickslip
   CheckpointScalars
   load_checkpoint(const std::string   &directory,
                   ContactProblem<dim> &problem,
-                  AcceptedState       &state);
+                  AcceptedState       &state,
+                  ParameterValues     &physics);
 } // namespace stickslip
 
 #endif

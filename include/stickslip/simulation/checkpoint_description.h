@@ -22,6 +22,16 @@ namespace stickslip
 
 
 
+  /// Names of parameters and their values, in the order of declaration.
+  using ParameterValues = std::vector<std::pair<std::string, std::string>>;
+
+  /// Texts about values that are not the same: "'Contact/a/Friction' was none
+  /// and is Coulomb". Numbers are compared as such; what is new or gone counts.
+  std::vector<std::string>
+  changed_values(const ParameterValues &before, const ParameterValues &now);
+
+
+
   /**
    * What a problem and a checkpoint must have in common: named texts, to be
    * compared word by word, and sums over the mesh that agree up to roundoff.
@@ -51,6 +61,8 @@ namespace stickslip
     unsigned int       n_files  = 0;
     CheckpointScalars  scalars;
     ProblemFingerprint problem;
+    /// What may be another one after a restart, but is worth a warning.
+    ParameterValues physics;
 
     std::string
     text() const;

@@ -18,6 +18,7 @@
 #include <stickslip/simulation/case_parameters.h>
 #include <stickslip/simulation/contact_warnings.h>
 #include <stickslip/simulation/convergence_log.h>
+#include <stickslip/simulation/force_tables.h>
 #include <stickslip/simulation/load_stepping.h>
 #include <stickslip/simulation/step_solver.h>
 
@@ -65,7 +66,7 @@ namespace stickslip
     ContactOutput<dim> contact_output;
     PointValues<dim>   point_values;
     StatisticsTable    statistics;
-    StatisticsTable    resultant_table;
+    ForceTables        force_tables;
     ConvergenceLog     log;
     StepSolver<dim>    step_solver;
     Progress           progress;
@@ -80,6 +81,14 @@ namespace stickslip
     void
     accept_step();
 
+    /// In the log and on the screen.
+    void
+    warn(const std::string &text)
+    {
+      log.note("warning: " + text);
+      progress.warn(text);
+    }
+
     void
     give_up_step(const NoConvergence &failure);
 
@@ -87,7 +96,7 @@ namespace stickslip
     write_results(const std::vector<ContactFaceResult<dim>> &faces);
 
     void
-    write_statistics(const std::vector<ContactResultants<dim>> &resultants);
+    write_statistics();
 
     void
     write_checkpoint();

@@ -1,0 +1,34 @@
+#ifndef stickslip_solid_support_forces_h
+#define stickslip_solid_support_forces_h
+
+#include <stickslip/solid/boundary_conditions.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace stickslip
+{
+  /**
+   * The forces that prescribed displacements exert on the bodies at time
+   * @p time, by the name of the condition, in the order of
+   * BoundaryConditions::prescribed_displacements(); in 2D per unit of
+   * thickness. @p unbalanced (locally owned entries) is what internal, contact
+   * and external forces leave at the nodes: at equilibrium nothing but the
+   * forces of the supports.
+   *
+   * At a node that several conditions hold, each gets the part along the
+   * directions that those before it leave free, so that the sum over all
+   * conditions is the whole force. Collective; the same on all ranks.
+   */
+  template <int dim>
+  std::vector<std::pair<std::string, Tensor<1, dim>>>
+  support_forces(const BoundaryConditions<dim> &conditions,
+                 const Mapping<dim>            &mapping,
+                 const DoFHandler<dim>         &dof_handler,
+                 const Bodies                  &bodies,
+                 const double                   time,
+                 const LA::Vector              &unbalanced);
+} // namespace stickslip
+
+#endif

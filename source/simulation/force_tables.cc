@@ -1,0 +1,63 @@
+#include <stickslip/simulation/force_tables.h>
+
+namespace stickslip
+{
+  ForceTables::ForceTables(const CaseParameters &parameters,
+                           const MPI_Comm        communicator)
+    : resultant_table(parameters.output.directory + "/resultants", communicator)
+    , reaction_table(parameters.output.directory + "/reactions", communicator)
+  {
+    for (const auto &pair : parameters.contact_pairs)
+      pair_names.push_back(pair.first);
+  }
+
+
+
+  void
+  ForceTables::resume(const double time)
+  {
+    resultant_table.resume(time);
+    reaction_table.resume(time);
+  }
+
+
+
+  template <int dim>
+  void
+  ForceTables::write(
+    const unsigned int                                         step,
+    const double                                               time,
+    const std::vector<ContactResultants<dim>>                 &resultants,
+    const std::vector<std::pair<std::string, Tensor<1, dim>>> &reactions)
+  {
+    if (!resultants.empty())
+      {
+        resultant_table.add("step", step);
+        resultant_table.add("time", time);
+        for (unsigned int p = 0; p < resultants.size(); ++p)
+          for (const auto &[name, value] : resultants[p].named_values())
+            resultant_table.add(pair_names[p] + "." + name, value);
+        resultant_table.finish_row();
+      }
+    if (!reactions.empty())
+      {
+        reaction_table.add("step", step);
+        reaction_table.add("time", time);
+        for (const auto &[name, force] : reactions)
+          for (unsigned int d = 0; d < dim; ++d)
+            reaction_table.add(name + ".force_" + "xyz"[d], force[d]);
+        reaction_table.finish_row();
+      }
+  }
+
+  template void
+  ForceTables::write(const unsigned int,
+                     const double,
+                     const std::vector<ContactResultants<2>> &,
+                     const std::vector<std::pair<std::string, Tensor<1, 2>>> &);
+  template void
+  ForceTables::write(const unsigned int,
+                     const double,
+                     const std::vector<ContactResultants<3>> &,
+                     const std::vector<std::pair<std::string, Tensor<1, 3>>> &);
+} // namespace stickslip
