@@ -1,5 +1,6 @@
 #include <stickslip/base/no_convergence.h>
 
+#include <stickslip/strategy/fixed_point_acceleration.h>
 #include <stickslip/strategy/nested_fixed_point.h>
 
 #include <sstream>
@@ -66,11 +67,15 @@ namespace stickslip
     loop.quantity->accept();
     double change          = 0.;
     bool   inner_converged = false;
+
+    FixedPointAcceleration acceleration;
+    LA::BlockVector        start;
     for (unsigned int pass = 1; pass <= loop.max_iterations; ++pass)
       {
         // An inner loop may run into its limit while this one is still far from
         // its fixed point (the first statuses cycle); only the last pass
         // counts.
+        start           = x;
         inner_converged = solve_inside(level, x, failure);
         loop.quantity->evaluate(x);
         change = loop.quantity->change();
@@ -79,6 +84,17 @@ namespace stickslip
         report(loop.quantity->name(), pass, change, level);
         if (inner_converged && change <= loop.tolerance)
           return true;
+        if (!loop.is_accelerated)
+          continue;
+        // The first pass has also applied prescribed displacements.
+        if (!inner_converged || pass == 1)
+          acceleration.clear();
+        else
+          {
+            acceleration.improve(start, x);
+            loop.quantity->evaluate(x);
+            loop.quantity->accept();
+          }
       }
     std::ostringstream text;
     text << "the " << loop.quantity->name() << " loop did not settle in "
