@@ -49,6 +49,9 @@ namespace stickslip
                parameters.load_stepping.end_time,
                communicator)
   {
+    problem.solid().stabilization().activate(
+      parameters.load_stepping.stabilization_factor,
+      parameters.load_stepping.end_time);
     problem.check_bodies_are_held();
     point_values.locate(problem.layout().mapping, problem.layout().dof_handler);
   }
@@ -103,6 +106,7 @@ namespace stickslip
   {
     problem.counts = SolveCounts();
     predict(time);
+    problem.solid().stabilization().begin_step(time - load_stepping.time());
     problem.begin_step(time, accepted.x);
     log.begin_step(load_stepping.step_number() + 1,
                    time,
@@ -175,8 +179,10 @@ namespace stickslip
     // trapezoidal rule for the work of loads and supports
     LA::Vector step(x.block(0));
     step -= accepted.x.block(0);
-    external_work +=
+    work.external +=
       0.5 * (accepted.nodal_forces * step + problem.nodal_forces() * step);
+    work.stabilization +=
+      problem.solid().stabilization_work(problem.ghosted_displacement());
     accepted.nodal_forces = problem.nodal_forces();
     accepted.x            = x;
     accepted.rate         = step;
@@ -189,7 +195,7 @@ namespace stickslip
                                  parameters.contact_pairs.size(),
                                  communicator);
     for (const auto &pair : resultants)
-      friction_work -= pair.friction_work;
+      work.friction -= pair.friction_work;
     for (const std::string &text : warnings.of_step(resultants))
       {
         log.note("warning: " + text);
@@ -282,8 +288,7 @@ namespace stickslip
                     {load_stepping.time(),
                      load_stepping.step_size(),
                      load_stepping.step_number(),
-                     external_work,
-                     friction_work});
+                     work});
   }
 
 
@@ -296,8 +301,7 @@ namespace stickslip
       restart_from == "latest" ? parameters.output.directory : restart_from;
     const CheckpointScalars scalars =
       load_checkpoint(directory, problem, accepted);
-    external_work = scalars.external_work;
-    friction_work = scalars.friction_work;
+    work = scalars.work;
     load_stepping.resume(scalars.time, scalars.step_size, scalars.step);
     // pairs the points and sets the scales that the first thresholds need
     problem.begin_step(scalars.time, accepted.x);
@@ -344,8 +348,7 @@ namespace stickslip
     statistics.add("max_disc_excess", violation.disc);
     statistics.add("max_stick_slip", violation.stick_slip);
     statistics.add("max_direction_error", violation.direction);
-    statistics.add("external_work", external_work);
-    statistics.add("friction_work", friction_work);
+    work.add_to(statistics);
     statistics.finish_row();
     n_cuts = 0;
     failed = SolveCounts();
@@ -380,8 +383,7 @@ namespace stickslip
     for (unsigned int p = 0; p < resultants.size(); ++p)
       for (const auto &[name, value] : resultants[p].named_values())
         results.add_of_pair(parameters.contact_pairs[p].first, name, value);
-    results.add("work", "external_work", external_work);
-    results.add("work", "friction_work", friction_work);
+    work.add_to(results, parameters.load_stepping.stabilization_factor > 0.);
     std::ostringstream text;
     results.print(text);
     const unsigned int n_failed =

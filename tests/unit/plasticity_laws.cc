@@ -220,9 +220,8 @@ namespace
     double                plastic_strain = 0., accumulated = 0.;
     for (unsigned int branch = 0; branch < 6; ++branch)
       {
-        const double driving =
-          E * (cycle_strains[branch] - plastic_strain) -
-          kinematic * plastic_strain;
+        const double driving = E * (cycle_strains[branch] - plastic_strain) -
+                               kinematic * plastic_strain;
         const double excess =
           std::abs(driving) - yield_stress - isotropic * accumulated;
         if (excess > 0.)

@@ -17,6 +17,7 @@
 #include <stickslip/simulation/contact_warnings.h>
 #include <stickslip/simulation/convergence_log.h>
 #include <stickslip/simulation/load_stepping.h>
+#include <stickslip/simulation/work_balance.h>
 
 #include <memory>
 #include <string>
@@ -53,9 +54,8 @@ namespace stickslip
 
     LA::BlockVector x;        ///< present state
     AcceptedState   accepted; ///< last accepted state
-    double          external_work = 0.;
-    double          friction_work = 0.;
-    unsigned int    n_cuts        = 0;
+    WorkBalance     work;
+    unsigned int    n_cuts = 0;
     ContactWarnings warnings;
     SolveCounts     failed; ///< of steps that were cut since the last accepted
 
