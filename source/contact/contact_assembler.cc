@@ -192,20 +192,17 @@ namespace stickslip
   {
     ContactStatus result;
     result.closed = point.frame.paired &&
-                    (live.status ? is_closed(scratch.multipliers.lambda_n,
-                                             scratch.kinematics.d_n,
-                                             point.regularization)
-                                 : point.closed);
-    if (point.frame.paired && point.cure.held_closed)
-      result.closed = *point.cure.held_closed;
+                    point.cure.held_closed.value_or(
+                      live.status ? is_closed(scratch.multipliers.lambda_n,
+                                              scratch.kinematics.d_n,
+                                              point.regularization)
+                                  : point.closed);
     if (result.closed && pair.parameters.has_friction())
-      result.stick = is_stick(tangential_vector<dim>(scratch.multipliers.Lambda,
-                                                     scratch.kinematics.tau),
-                              scratch.kinematics.d_t,
-                              point.regularization);
-    if (result.closed && pair.parameters.has_friction() &&
-        point.cure.held_stick)
-      result.stick = *point.cure.held_stick;
+      result.stick = point.cure.held_stick.value_or(
+        is_stick(tangential_vector<dim>(scratch.multipliers.Lambda,
+                                        scratch.kinematics.tau),
+                 scratch.kinematics.d_t,
+                 point.regularization));
     return result;
   }
 

@@ -88,6 +88,7 @@ namespace stickslip
     extent      = Utilities::MPI::max(extent, communicator);
     force_floor = 1e-8 * modulus * std::pow(extent, dim - 1);
     x_old       = zero_state();
+    solid_assembler->stabilization().set_start(u_old);
   }
 
 

@@ -180,8 +180,10 @@ namespace stickslip
         << "\nidentity = " << identity << "\nfiles = " << n_files
         << "\ntime = " << scalars.time << "\nstep size = " << scalars.step_size
         << "\nstep = " << scalars.step
-        << "\nexternal work = " << scalars.external_work
-        << "\nfriction work = " << scalars.friction_work << "\ngeometry =";
+        << "\nexternal work = " << scalars.work.external
+        << "\nfriction work = " << scalars.work.friction
+        << "\nstabilization work = " << scalars.work.stabilization
+        << "\ngeometry =";
     for (const double value : problem.geometry)
       out << ' ' << value;
     out << '\n';
@@ -214,8 +216,9 @@ namespace stickslip
     read("time", scalars.time);
     read("step size", scalars.step_size);
     read("step", scalars.step);
-    read("external work", scalars.external_work);
-    read("friction work", scalars.friction_work);
+    read("external work", scalars.work.external);
+    read("friction work", scalars.work.friction);
+    read("stabilization work", scalars.work.stabilization);
     std::string geometry;
     read("geometry", geometry);
     if (is_good)

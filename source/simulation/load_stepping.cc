@@ -62,6 +62,19 @@ namespace stickslip
       "Times that steps must hit exactly, for instance where the "
       "load changes its direction.",
       Patterns::List(Patterns::Double()));
+    prm.enter_subsection("Stabilization");
+    prm.add_parameter(
+      "Factor",
+      stabilization_factor,
+      "Viscous forces that let a body snap past a limit point of its "
+      "quasi-static path: Factor * M T / L^2 * (u - u_old) / dt per volume, "
+      "with the longitudinal modulus M of each material, the 'End time' T and "
+      "the diagonal L of the model. Small values (1e-7 to 1e-4) suffice, since "
+      "steps become small where a body snaps. What these forces dissipate is "
+      "'stabilization_work' among the results and must be small beside "
+      "'external_work'. 0: none.",
+      Patterns::Double(0.));
+    prm.leave_subsection();
   }
 
 

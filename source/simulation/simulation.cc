@@ -49,6 +49,9 @@ namespace stickslip
                parameters.load_stepping.end_time,
                communicator)
   {
+    problem.solid().stabilization().activate(
+      parameters.load_stepping.stabilization_factor,
+      parameters.load_stepping.end_time);
     problem.check_bodies_are_held();
     point_values.locate(problem.layout().mapping, problem.layout().dof_handler);
   }
@@ -106,6 +109,7 @@ namespace stickslip
   Simulation<dim>::solve_step(const double time)
   {
     predict(time);
+    problem.solid().stabilization().begin_step(time - load_stepping.time());
     log.begin_step(load_stepping.step_number() + 1,
                    time,
                    time - load_stepping.time());
@@ -123,8 +127,10 @@ namespace stickslip
     // trapezoidal rule for the work of loads and supports
     LA::Vector step(x.block(0));
     step -= accepted.x.block(0);
-    external_work +=
+    work.external +=
       0.5 * (accepted.nodal_forces * step + problem.nodal_forces() * step);
+    work.stabilization +=
+      problem.solid().stabilization_work(problem.ghosted_displacement());
     accepted.nodal_forces = problem.nodal_forces();
     accepted.x            = x;
     accepted.rate         = step;
@@ -137,7 +143,7 @@ namespace stickslip
                                  parameters.contact_pairs.size(),
                                  communicator);
     for (const auto &pair : resultants)
-      friction_work -= pair.friction_work;
+      work.friction -= pair.friction_work;
     for (const std::string &text : warnings.of_step(resultants))
       warn(text);
     write_statistics();
@@ -237,8 +243,7 @@ namespace stickslip
                     {load_stepping.time(),
                      load_stepping.step_size(),
                      load_stepping.step_number(),
-                     external_work,
-                     friction_work},
+                     work},
                     parameters.physics);
   }
 
@@ -253,8 +258,7 @@ namespace stickslip
     ParameterValues         old_physics;
     const CheckpointScalars scalars =
       load_checkpoint(directory, problem, accepted, old_physics);
-    external_work = scalars.external_work;
-    friction_work = scalars.friction_work;
+    work = scalars.work;
     load_stepping.resume(scalars.time, scalars.step_size, scalars.step);
     // pairs the points and sets the scales that the first thresholds need
     problem.begin_step(scalars.time, accepted.x);
@@ -312,8 +316,7 @@ namespace stickslip
     statistics.add("normal_law_error", violation.normal_law);
     statistics.add("friction_law_error", violation.friction_law);
     statistics.add("fresh_residual", found.residual.equilibrium);
-    statistics.add("external_work", external_work);
-    statistics.add("friction_work", friction_work);
+    work.add_to(statistics);
     statistics.finish_row();
     n_cuts                               = 0;
     step_solver.failed_newton_iterations = 0;
@@ -327,8 +330,7 @@ namespace stickslip
   Simulation<dim>::report_final_results()
   {
     FinalResults results = final_results(parameters, problem, point_values);
-    results.add("work", "external_work", external_work);
-    results.add("work", "friction_work", friction_work);
+    work.add_to(results, parameters.load_stepping.stabilization_factor > 0.);
     std::ostringstream text;
     results.print(text);
     const unsigned int n_failed =

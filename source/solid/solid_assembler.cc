@@ -2,6 +2,8 @@
 
 #include <stickslip/solid/solid_assembler.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,6 +24,7 @@ namespace stickslip
     , history_fields(laws, dim)
     , quadrature(dof_handler.get_fe().degree + 1)
     , surface_loads(mapping, dof_handler.get_fe(), boundary_conditions.loads())
+    , viscous(dof_handler)
     , largest_modulus(0.)
     , fe_values(mapping,
                 dof_handler.get_fe().base_element(0),
@@ -154,6 +157,12 @@ namespace stickslip
     add_stresses(cell, with_tangent);
     add_body_forces(cell, time);
     surface_loads.add_cell(cell, time, with_tangent, element);
+    if (viscous.is_active())
+      viscous.add_cell(fe_values,
+                       dof_indices,
+                       longitudinal_modulus(cell->material_id()),
+                       with_tangent,
+                       element);
   }
 
 
@@ -329,6 +338,30 @@ namespace stickslip
           }
         states.push_back(state);
       }
+  }
+
+
+
+  template <int dim>
+  double
+  SolidAssembler<dim>::stabilization_work(const LA::Vector &u)
+  {
+    if (!viscous.is_active())
+      return 0.;
+    double work = 0.;
+    for (const CellIterator &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned() && !is_rigid(cell))
+        {
+          cell->get_dof_indices(dof_indices);
+          element.reinit(u, dof_indices);
+          fe_values.reinit(
+            typename Triangulation<dim>::active_cell_iterator(cell));
+          work += viscous.work(fe_values,
+                               dof_indices,
+                               longitudinal_modulus(cell->material_id()),
+                               element);
+        }
+    return Utilities::MPI::sum(work, dof_handler.get_communicator());
   }
 
 

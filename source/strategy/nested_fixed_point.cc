@@ -1,5 +1,6 @@
 #include <stickslip/base/no_convergence.h>
 
+#include <stickslip/strategy/fixed_point_acceleration.h>
 #include <stickslip/strategy/nested_fixed_point.h>
 
 #include <set>
@@ -65,8 +66,8 @@ namespace stickslip
 
     loop.quantity->evaluate(x);
     loop.quantity->accept();
-    double change          = 0.;
-    bool   inner_converged = false;
+    double                  change          = 0.;
+    bool                    inner_converged = false;
     std::set<std::uint64_t> seen;
     bool                    is_repetition = false;
     const auto              see           = [&]() {
@@ -74,12 +75,16 @@ namespace stickslip
       return fingerprint != 0 && !seen.insert(fingerprint).second;
     };
     see();
-    unsigned int            pass          = 1;
+
+    FixedPointAcceleration acceleration;
+    LA::BlockVector        start;
+    unsigned int           pass = 1;
     for (; pass <= loop.max_iterations && !is_repetition; ++pass)
       {
         // An inner loop may run into its limit while this one is still far from
         // its fixed point (the first statuses cycle); only the last pass
         // counts.
+        start           = x;
         inner_converged = solve_inside(level, x, failure);
         loop.quantity->evaluate(x);
         change = loop.quantity->change();
@@ -89,6 +94,17 @@ namespace stickslip
         if (inner_converged && change <= loop.tolerance)
           return true;
         is_repetition = see();
+        if (!loop.is_accelerated)
+          continue;
+        // The first pass has also applied prescribed displacements.
+        if (!inner_converged || pass == 1)
+          acceleration.clear();
+        else
+          {
+            acceleration.improve(start, x);
+            loop.quantity->evaluate(x);
+            loop.quantity->accept();
+          }
       }
     std::ostringstream text;
     text << "the " << loop.quantity->name() << " loop "

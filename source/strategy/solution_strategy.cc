@@ -15,7 +15,7 @@ namespace stickslip
       static const std::map<std::string, LiveFlags> algorithms = {
         {"FPM", {{false, false, false}}},
         {"PNM", {{false, true, true}}},
-      {"GCP", {{false, false, true}}},
+        {"GCP", {{false, false, true}}},
         {"GNM", {{true, true, true}}}};
       return algorithms;
     }
@@ -51,6 +51,21 @@ namespace stickslip
 
 
   void
+  LoopParameters::add_acceleration(ParameterHandler &prm)
+  {
+    prm.add_parameter(
+      "Acceleration",
+      acceleration,
+      "How the fixed-point loop finds the start of its next pass. Anderson: "
+      "the combination of the last passes with the smallest residual, which "
+      "settles also where plain passes contract slowly or not at all. none: "
+      "the result of the last pass, as in the paper.",
+      Patterns::Selection("Anderson|none"));
+  }
+
+
+
+  void
   AlgorithmParameters::add_parameters(ParameterHandler &prm)
   {
     prm.add_parameter(
@@ -77,12 +92,14 @@ namespace stickslip
       "contact geometry",
       "largest displacement change since the last refresh "
       "over the largest displacement (Res(geom))");
+    geometry.add_acceleration(prm);
     prm.leave_subsection();
     prm.enter_subsection("Threshold");
     threshold.add_parameters(prm,
                              "friction threshold",
                              "largest change of a threshold over the largest "
                              "threshold (Res(seuil))");
+    threshold.add_acceleration(prm);
     prm.leave_subsection();
     prm.enter_subsection("Status");
     status.add_parameters(prm,
@@ -118,6 +135,7 @@ namespace stickslip
                                 : loop_parameters[i]->treatment == "newton";
         loop.tolerance      = loop_parameters[i]->tolerance;
         loop.max_iterations = loop_parameters[i]->max_iterations;
+        loop.is_accelerated = loop_parameters[i]->acceleration == "Anderson";
         loop.n_loops        = loop_counts[i];
         loops.push_back(loop);
       }

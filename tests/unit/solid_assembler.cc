@@ -7,6 +7,8 @@
 #include <stickslip/solid/simo_miehe.h>
 #include <stickslip/solid/small_strain_plasticity.h>
 
+#include <deal.II/grid/grid_tools.h>
+
 #include <sstream>
 
 using namespace solid_test;
@@ -110,6 +112,52 @@ namespace
     problem.refine_one_cell();
     problem.finish(law, {}, /*with_mean_dilatation=*/true);
     test_differences(problem, name + ", ", 1, 1e-6);
+  }
+
+
+
+  /// Viscous stabilization: its tangent, and its force and work on a body that
+  /// moves without deformation.
+  template <int dim>
+  void
+  test_stabilization()
+  {
+    Problem<dim> problem(1);
+    problem.distort();
+    problem.refine_one_cell();
+    problem.finish(steel<SaintVenantKirchhoff>(), {});
+    const LA::Vector u_old(problem.u);
+    auto            &stabilization = problem.assembler->stabilization();
+    stabilization.set_start(u_old);
+    stabilization.activate(0.3, 5.);
+    stabilization.begin_step(0.25);
+    test_differences(problem, "stabilized, ", 1, 1e-8);
+
+    const Tensor<1, dim> shift = Point<dim>::unit_vector(0) * 0.01;
+    problem.interpolate([&](const Point<dim> &) { return shift; });
+    const LA::Vector residual = problem.residual(0.);
+    const double     volume =
+      GridTools::volume(problem.dof_handler.get_triangulation());
+    const auto corners =
+      GridTools::compute_bounding_box(problem.dof_handler.get_triangulation())
+        .get_boundary_points();
+    const double L = Utilities::MPI::max(corners.first.distance(corners.second),
+                                         MPI_COMM_WORLD);
+    const double force = 0.3 * 5. / (L * L) *
+                         problem.assembler->longitudinal_modulus(0) / 0.25 *
+                         0.01 * volume;
+    LA::Vector direction(residual);
+    direction = problem.u;
+    direction *= 1. / 0.01;
+    print(case_name<dim>("stabilization force of a translation", 1),
+          std::abs(residual * direction / force - 1.) < 1e-12);
+    print(case_name<dim>("stabilization work of a translation", 1),
+          std::abs(problem.assembler->stabilization_work(problem.u) /
+                     (force * 0.01) -
+                   1.) < 1e-12);
+    stabilization.begin_step(0.);
+    print(case_name<dim>("no stabilization without a step", 1),
+          problem.residual(0.).linfty_norm() < 1e-12 * force);
   }
 
 
@@ -284,6 +332,7 @@ namespace
         test_closed_surface<dim>(degree);
         test_patch<dim>(degree);
       }
+    test_stabilization<dim>();
     test_mean_dilatation_tangent<dim>("B-bar", steel<LinearElastic>());
     test_mean_dilatation_tangent<dim>("F-bar", steel<SaintVenantKirchhoff>());
     test_mean_dilatation_tangent<dim>("plastic F-bar", plastic<SimoMiehe>());

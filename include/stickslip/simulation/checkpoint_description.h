@@ -3,6 +3,8 @@
 
 #include <stickslip/problem/contact_problem.h>
 
+#include <stickslip/simulation/work_balance.h>
+
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -13,11 +15,10 @@ namespace stickslip
   /// The numbers of a state that are not fields.
   struct CheckpointScalars
   {
-    double       time          = 0.;
-    double       step_size     = 0.;
-    unsigned int step          = 0;
-    double       external_work = 0.;
-    double       friction_work = 0.;
+    double       time      = 0.;
+    double       step_size = 0.;
+    unsigned int step      = 0;
+    WorkBalance  work;
   };
 
 

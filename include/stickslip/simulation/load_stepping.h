@@ -23,6 +23,7 @@ namespace stickslip
     unsigned int        easy_iterations = 12;
     std::string         predictor       = "linear";
     std::vector<double> requested_times;
+    double              stabilization_factor = 0.;
 
     void
     add_parameters(ParameterHandler &prm);

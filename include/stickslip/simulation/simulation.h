@@ -21,6 +21,7 @@
 #include <stickslip/simulation/force_tables.h>
 #include <stickslip/simulation/load_stepping.h>
 #include <stickslip/simulation/step_solver.h>
+#include <stickslip/simulation/work_balance.h>
 
 #include <memory>
 #include <string>
@@ -57,9 +58,8 @@ namespace stickslip
 
     LA::BlockVector x;        ///< present state
     AcceptedState   accepted; ///< last accepted state
-    double          external_work = 0.;
-    double          friction_work = 0.;
-    unsigned int    n_cuts        = 0;
+    WorkBalance     work;
+    unsigned int    n_cuts = 0;
     ContactWarnings warnings;
 
     FieldOutput<dim>   field_output;

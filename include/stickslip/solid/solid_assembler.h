@@ -14,6 +14,7 @@
 #include <stickslip/solid/mean_dilatation.h>
 #include <stickslip/solid/point_history.h>
 #include <stickslip/solid/surface_loads.h>
+#include <stickslip/solid/viscous_stabilization.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -127,6 +128,18 @@ namespace stickslip
       const LA::Vector                                     &u,
       std::vector<PointState>                              &states);
 
+    /// Off until it is activated.
+    ViscousStabilization<dim> &
+    stabilization()
+    {
+      return viscous;
+    }
+
+    /// Work of the stabilization in the step that leads to the ghosted @p u.
+    /// Collective.
+    double
+    stabilization_work(const LA::Vector &u);
+
     /// Names of PointState::history.
     const std::vector<std::string> &
     history_names() const
@@ -198,10 +211,11 @@ namespace stickslip
 
     const HistoryFields history_fields;
 
-    const QGauss<dim> quadrature;
-    PointHistory      history;
-    SurfaceLoads<dim> surface_loads;
-    double            largest_modulus;
+    const QGauss<dim>         quadrature;
+    PointHistory              history;
+    SurfaceLoads<dim>         surface_loads;
+    ViscousStabilization<dim> viscous;
+    double                    largest_modulus;
 
     InadmissiblePoint<dim> failure; ///< of the last evaluation
 

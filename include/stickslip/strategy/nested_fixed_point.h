@@ -18,6 +18,7 @@ namespace stickslip
     unsigned int       max_iterations = 1;
     /// Goes on when the inner solver fails, except in the last pass.
     bool          outlives_inner_solver = false;
+    bool          is_accelerated        = false; ///< see FixedPointAcceleration
     unsigned int *n_loops               = nullptr; ///< counts the passes
   };
 

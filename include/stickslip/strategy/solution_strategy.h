@@ -17,11 +17,16 @@ namespace stickslip
     std::string  treatment;
     double       tolerance      = 1e-6;
     unsigned int max_iterations = 20;
+    std::string  acceleration   = "none";
 
     void
     add_parameters(ParameterHandler  &prm,
                    const std::string &what,
                    const std::string &change);
+
+    /// For loops over continuous quantities.
+    void
+    add_acceleration(ParameterHandler &prm);
   };
 
 
@@ -31,9 +36,9 @@ namespace stickslip
   {
     std::string      name    = "automatic";
     std::string      tangent = "consistent";
-    LoopParameters   geometry{"newton", 1e-6, 30};
-    LoopParameters   threshold{"newton", 1e-6, 50};
-    LoopParameters   status{"newton", 0., 20};
+    LoopParameters   geometry{"newton", 1e-6, 30, "Anderson"};
+    LoopParameters   threshold{"newton", 1e-6, 50, "Anderson"};
+    LoopParameters   status{"newton", 0., 20, "none"};
     NewtonParameters newton;
 
     void

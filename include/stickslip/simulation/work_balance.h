@@ -1,0 +1,29 @@
+#ifndef stickslip_simulation_work_balance_h
+#define stickslip_simulation_work_balance_h
+
+#include <stickslip/output/statistics_table.h>
+
+#include <stickslip/simulation/final_results.h>
+
+namespace stickslip
+{
+  /// Work since the start of a run.
+  struct WorkBalance
+  {
+    double external = 0.; ///< of loads and supports
+    double friction = 0.; ///< dissipated by friction
+    /// Dissipated by viscous stabilization (see ViscousStabilization); it tells
+    /// how far the path is from a quasi-static one.
+    double stabilization = 0.;
+
+    /// Adds a column for each.
+    void
+    add_to(StatisticsTable &statistics) const;
+
+    /// Adds external and friction work, and @p with_stabilization that, too.
+    void
+    add_to(FinalResults &results, const bool with_stabilization) const;
+  };
+} // namespace stickslip
+
+#endif
