@@ -377,8 +377,7 @@ namespace stickslip
         {
           evaluate_point(*pair, point, linearize_geometry, true);
           point.observed = observe(point, scratch);
-          if (pair->parameters.has_friction())
-            assume_stick_before_first_pressure(point, scratch);
+          assume_stick_before_first_pressure(point, scratch);
           const auto dofs = point_dofs(*pair, point);
           local.reinit(dofs.size());
           local_matrix.reinit(dofs.size(), dofs.size());

@@ -105,11 +105,11 @@ namespace stickslip
             fallen_through += has_fallen_through(*pair, point);
             if (!point.frame.paired)
               continue;
-            const auto &state = contact.evaluate(*pair, point);
-            const auto &d_n   = state.kinematics.d_n;
-            const auto &d_t   = state.kinematics.d_t;
-            const auto &lambda_n = state.multipliers.lambda_n;
-            const double k       = contact_stiffness(*pair, point);
+            const auto  &state    = contact.evaluate(*pair, point);
+            const auto  &d_n      = state.kinematics.d_n;
+            const auto  &d_t      = state.kinematics.d_t;
+            const auto  &lambda_n = state.multipliers.lambda_n;
+            const double k        = contact_stiffness(*pair, point);
             const double noticeable =
               noticeable_motion * k *
               pair->slave_faces[point.slave_face].face.diameter;
@@ -133,8 +133,7 @@ namespace stickslip
               see(worst[4], (Lambda - d_t / slip).norm());
             see(scales[1], s);
             const double error_t = friction_error(Lambda, d_t, s, k);
-            if (s > 0. && error_t > noticeable &&
-                point.held_directions.empty())
+            if (s > 0. && error_t > noticeable && point.held_directions.empty())
               see(errors[1], error_t);
           }
         for (double &scale : scales)
@@ -157,8 +156,8 @@ namespace stickslip
             Utilities::MPI::sum(fallen_through, communicator)};
   }
 
-#define INSTANTIATE(dim)                              \
-  template void note_partners(ContactAssembler<dim> &); \
+#define INSTANTIATE(dim)                                            \
+  template void             note_partners(ContactAssembler<dim> &); \
   template ContactViolation contact_violation(ContactAssembler<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

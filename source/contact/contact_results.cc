@@ -146,10 +146,10 @@ namespace stickslip
     return text.str();
   }
 
-#define INSTANTIATE(dim)                                                \
-  template std::vector<ContactFaceResult<dim>> contact_results(         \
-    ContactAssembler<dim> &);                                           \
-  template std::string      describe_contact(ContactAssembler<dim> &);
+#define INSTANTIATE(dim)                                        \
+  template std::vector<ContactFaceResult<dim>> contact_results( \
+    ContactAssembler<dim> &);                                   \
+  template std::string describe_contact(ContactAssembler<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

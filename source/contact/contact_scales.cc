@@ -110,17 +110,18 @@ namespace stickslip
             const double unit_n = point.cure.r_n_factor * (automatic ? k : 1.);
             const double unit_t =
               point.cure.r_t_factor * (automatic ? r.natural_r_t : 1.);
-            r.r_n_status      = unit_n * role_value(given.r_n_status, r_n);
+            r.r_n_status = unit_n * role_value(given.r_n_status, r_n);
             r.r_n_augmentation =
               unit_n * role_value(given.r_n_augmentation, r_n);
             r.r_n_law    = unit_n * role_value(given.r_n_law, r_n);
             r.r_t_status = unit_t * role_value(given.r_t_status, r_t);
             r.r_t_augmentation =
               unit_t * role_value(given.r_t_augmentation, r_t);
-            r.r_t_law           = unit_t * role_value(given.r_t_law, r_t);
-            r.threshold_scale   = s;
-            r.initial_threshold = largest == 0. ? s : 0.;
-            r.open_scale        = open_row_factor * s / r.r_t_law;
+            r.r_t_law         = unit_t * role_value(given.r_t_law, r_t);
+            r.threshold_scale = s;
+            r.initial_threshold =
+              parameters.has_friction() && largest == 0. ? s : 0.;
+            r.open_scale = open_row_factor * s / r.r_t_law;
           }
       }
   }

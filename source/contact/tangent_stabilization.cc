@@ -10,7 +10,8 @@ namespace stickslip
                                      ContactEvaluation<dim>  &state)
   {
     const Regularization &r = point.regularization;
-    if (!state.status.closed || state.response.threshold > 0.)
+    if (!state.status.closed || state.response.threshold > 0. ||
+        r.initial_threshold == 0.)
       return;
     // weak, so that the iteration is nearly the frictionless one
     const double stiffness = 1e-4 * r.initial_threshold * r.r_t_augmentation;

@@ -1,5 +1,6 @@
 #include <stickslip/simulation/failure_explanation.h>
 #include <stickslip/simulation/residual_trend.h>
+#include <stickslip/simulation/singular_matrix.h>
 
 #include <algorithm>
 #include <optional>
@@ -14,22 +15,6 @@ namespace stickslip
 
     /// A limit of Newton iterations below this may be the cause itself.
     constexpr unsigned int usual_iterations = 15;
-
-
-
-    template <int dim>
-    using Property = std::function<bool(const PointDiagnosis<dim> &)>;
-
-
-
-    template <int dim>
-    std::string
-    parameter_of(const PointGroup<dim> &group,
-                 const FailedStep<dim> &step,
-                 const std::string     &name)
-    {
-      return "'Contact/" + step.pairs[group.pair].first + "/" + name + "'";
-    }
 
 
 
@@ -61,131 +46,6 @@ namespace stickslip
               "the points of the largest violation are in the diagnosis.",
               "a smaller 'Load stepping/Initial step'; tighter 'Algorithm/"
               "Geometry/Tolerance' and 'Threshold/Tolerance'."};
-    }
-
-
-
-    bool
-    is_closed(const ContactState state)
-    {
-      return state == ContactState::stick || state == ContactState::slip;
-    }
-
-
-
-    /// A body that contact alone can hold, and contact does not.
-    template <int dim>
-    std::optional<FailureExplanation>
-    free_body(const FailedStep<dim> &step, const MPI_Comm communicator)
-    {
-      for (const std::string &motion : step.free_motions)
-        {
-          const auto touches_body = [&](const PointDiagnosis<dim> &point) {
-            const auto &pair = step.pairs[point.pair].second;
-            return motion.find("'" + pair.slave_body + "'") !=
-                     std::string::npos ||
-                   motion.find("'" + pair.master_body + "'") !=
-                     std::string::npos;
-          };
-          const auto count = [&](const Property<dim> &has_property) {
-            return find_group<dim>(
-                     step,
-                     [&](const auto &point) {
-                       return touches_body(point) && is_closed(point.state) &&
-                              has_property(point);
-                     },
-                     communicator)
-              .n;
-          };
-          const unsigned int n_closed =
-            count([](const auto &) { return true; });
-          const unsigned int n_with_threshold =
-            count([](const auto &point) { return point.has_threshold; });
-          const unsigned int n_stick      = count([](const auto &point) {
-            return point.state == ContactState::stick;
-          });
-          const bool         has_friction = std::any_of(
-            step.pairs.begin(), step.pairs.end(), [&](const auto &pair) {
-              return pair.second.has_friction() &&
-                     (motion.find("'" + pair.second.slave_body + "'") !=
-                        std::string::npos ||
-                      motion.find("'" + pair.second.master_body + "'") !=
-                        std::string::npos);
-            });
-          FailureExplanation explanation;
-          explanation.where = motion + ".";
-          if (n_closed == 0)
-            {
-              explanation.name = "body held by nothing";
-              explanation.why =
-                "the matrix is singular: only contact can hold this motion, "
-                "and no contact point of the body is closed.";
-              explanation.advice =
-                "let the bodies touch at the start, prescribe the displacement "
-                "of the body, or give it a weak spring ('Type = spring').";
-              return explanation;
-            }
-          if (has_friction && n_with_threshold == 0)
-            {
-              explanation.name = "no friction threshold yet";
-              explanation.why =
-                "the matrix is singular: only friction can hold this motion, "
-                "and no closed point carries pressure yet.";
-              explanation.advice =
-                "press first: one load step with the pressing load alone "
-                "('Load stepping/Requested times'), the sideways load later.";
-              return explanation;
-            }
-          if (n_stick == 0)
-            {
-              explanation.name = "sliding body held by nothing";
-              explanation.why =
-                "the matrix is singular: all " + std::to_string(n_closed) +
-                " closed points of the body slip, so nothing holds "
-                "this motion.";
-              explanation.advice =
-                "prescribe a displacement in place of the force that moves "
-                "the body, or give it a weak spring ('Type = spring').";
-              return explanation;
-            }
-        }
-      return {};
-    }
-
-
-
-    template <int dim>
-    FailureExplanation
-    singular_matrix(const FailedStep<dim> &step, const MPI_Comm communicator)
-    {
-      if (const auto explanation = free_body(step, communicator))
-        return *explanation;
-      const auto group = find_group<dim>(
-        step,
-        [](const auto &point) { return is_closed(point.state); },
-        communicator);
-      FailureExplanation explanation;
-      explanation.name = "singular matrix";
-      if (group.n == 0)
-        {
-          explanation.why =
-            "the matrix is singular, and no contact point is closed.";
-          explanation.where = "a body, or a part of one, without stiffness.";
-          explanation.advice =
-            "look at the material parameters and at the boundary conditions of "
-            "all bodies; a smaller 'Load stepping/Initial step'.";
-          return explanation;
-        }
-      explanation.why =
-        "the matrix is singular although every body is held: "
-        "multipliers of contact that nothing determines.";
-      explanation.where = "closed: " + describe(group, step);
-      explanation.advice =
-        "keep nodes that other conditions hold or that two pairs share out of "
-        "one of them: " +
-        parameter_of(group, step, "Excluded boundaries") +
-        "; a smaller 'Load stepping/Initial step'.";
-      return explanation;
     }
 
 
@@ -391,7 +251,7 @@ namespace stickslip
     if (step.failure.cause == FailureCause::rejected)
       return rejected_state(step.failure);
     if (step.failure.cause == FailureCause::singular)
-      return singular_matrix(step, communicator);
+      return explain_singular_matrix(step, communicator);
     for (const auto &look_for :
          {&cycle<dim>, &hopping<dim>, &lost_contact<dim>})
       if (const auto explanation = look_for(step, communicator))
