@@ -1,3 +1,4 @@
+#include <stickslip/simulation/final_results.h>
 #include <stickslip/simulation/work_balance.h>
 
 namespace stickslip

@@ -3,10 +3,11 @@
 
 #include <stickslip/output/statistics_table.h>
 
-#include <stickslip/simulation/final_results.h>
 
 namespace stickslip
 {
+  class FinalResults;
+
   /// Work since the start of a run.
   struct WorkBalance
   {
