@@ -79,6 +79,9 @@ CASES = {
     "fewer contact points than multipliers in 3D": (
         "plate_3d.prm", "set Degree = 2\nsubsection Contact\n subsection base\n set Quadrature = Newton-Cotes\n set Quadrature order = 1\n end\nend",
         WRONG_INPUT, ["Contact/base/Quadrature", "Quadrature order", "4 contact points", "9 multipliers"]),
+    "GCP without nodal quadrature": (
+        "plate.prm", "set Degree = 1\nsubsection Contact\n subsection base\n set Quadrature = Gauss\n end\nend\nsubsection Algorithm\n set Name = GCP\nend",
+        WRONG_INPUT, ["Contact/base/Quadrature", "Gauss", "GCP", "nodal"]),
     "unsupported regularization": (
         "plate.prm", "subsection Contact\n subsection base\n subsection Regularization\n set r_t status = 3\n set r_t law = 1\n end\n end\nend",
         WRONG_INPUT, ["r_t status", "r_t law"]),
