@@ -50,6 +50,16 @@ namespace stickslip
     const std::function<bool(const PointDiagnosis<dim> &)> &has_property,
     const MPI_Comm                                          communicator);
 
+  /// The path of a parameter of the group's pair, in quotes.
+  template <int dim>
+  std::string
+  parameter_of(const PointGroup<dim> &group,
+               const FailedStep<dim> &step,
+               const std::string     &name)
+  {
+    return "'Contact/" + step.pairs[group.pair].first + "/" + name + "'";
+  }
+
   /// "3 points of pair 'x', between (...) and (...)."
   template <int dim>
   std::string
