@@ -28,6 +28,7 @@ import pathlib
 import shutil
 import subprocess
 import sys
+import threading
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -61,10 +62,11 @@ def read_csv(path):
 class Result:
     """Output directory and log of one run."""
 
-    def __init__(self, directory, log, seconds, exit_code):
+    def __init__(self, directory, log, seconds, exit_code, cpu_seconds=math.nan):
         self.directory = directory
         self.log = log
-        self.seconds = seconds
+        self.seconds = seconds  # of wall clock; 0 if an earlier run is reused
+        self.cpu_seconds = cpu_seconds  # of all ranks, in user mode
         self.exit_code = exit_code
 
     @property
@@ -125,27 +127,31 @@ class Benchmark:
         inputs = [pathlib.Path(self.program), self.directory / parameter_file]
         fingerprint = "\n".join(command + [f"{path} {path.stat().st_mtime_ns}" for path in inputs])
         stamp = directory / ".finished"
+        cpu = directory / ".cpu_seconds"
         if self.options.keep and stamp.exists() and stamp.read_text() == fingerprint:
-            return Result(directory, log.read_text(), 0.0, 0)
+            return Result(directory, log.read_text(), 0.0, 0, float(cpu.read_text()) if cpu.exists() else math.nan)
 
         shutil.rmtree(directory, ignore_errors=True)
         directory.mkdir(parents=True)
         start = time.time()
         with open(log, "w") as stream:
-            try:
-                exit_code = subprocess.run(command, stdout=stream, stderr=subprocess.STDOUT, cwd=self.directory,
-                                           env=environment(), timeout=timeout).returncode
-            except subprocess.TimeoutExpired:
-                exit_code = -1
-        seconds = time.time() - start
+            process = subprocess.Popen(command, stdout=stream, stderr=subprocess.STDOUT, cwd=self.directory, env=environment())
+            timer = threading.Timer(timeout or threading.TIMEOUT_MAX, process.terminate)
+            timer.daemon = True
+            timer.start()
+            _, status, usage = os.wait4(process.pid, 0)  # with the ranks that mpirun has waited for
+            timer.cancel()
+        exit_code = process.returncode = os.waitstatus_to_exitcode(status)
+        seconds, cpu_seconds = time.time() - start, usage.ru_utime
+        cpu.write_text(str(cpu_seconds))
         if exit_code == 0:
             stamp.write_text(fingerprint)
-        print(f"  {label}: {'solved' if exit_code == 0 else 'failed'} in {seconds:.1f} s", flush=True)
+        print(f"  {label}: {'solved' if exit_code == 0 else 'failed'} in {seconds:.1f} s ({cpu_seconds:.1f} s of user CPU)", flush=True)
         if exit_code != 0 and not may_fail:
             sys.stdout.write("".join(f"    {line}\n" for line in log.read_text().split("\n")[-15:]))
             self.fail(f"the run '{label}' failed (log: {log})")
             self.finish()
-        return Result(directory, log.read_text(), seconds, exit_code)
+        return Result(directory, log.read_text(), seconds, exit_code, cpu_seconds)
 
     # -------------------------------------------------------------- comparing
     def check(self, quantity, ours, reference, tolerance, kind="relative"):

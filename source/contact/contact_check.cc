@@ -43,8 +43,8 @@ namespace stickslip
 
 
 
-    /// The point lies behind the place where its partner was, and rather
-    /// behind than beside it.
+    /// The point lies behind the place where its partner was by more than its
+    /// face, and rather behind than beside it.
     template <int dim>
     bool
     has_fallen_through(const ContactPair<dim>  &pair,
@@ -55,7 +55,8 @@ namespace stickslip
       const Tensor<1, dim> motion =
         pair.slave_position(point).x - point.start.master_position;
       const double depth = motion * point.start.n;
-      return depth > 0. && (motion - depth * point.start.n).norm() < depth;
+      return depth > std::max(pair.slave_faces[point.slave_face].face.diameter,
+                              (motion - depth * point.start.n).norm());
     }
   } // namespace
 

@@ -236,7 +236,7 @@ namespace stickslip
     outward /= outward.norm();
     const SlavePosition<dim> slave = slave_position(point);
     ContactFrame<dim>        frame =
-      patch->find(slave.x, outward, point.frame, point.has_hopped());
+      patch->find(slave.x, outward, point.frame, point.pairing_memory());
     if (frame.paired)
       frame.tau = tangent_basis<dim>(frame.n, slave.direction);
     return frame;

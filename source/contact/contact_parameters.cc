@@ -213,10 +213,10 @@ namespace stickslip
     prm.add_parameter(
       "Facet overlap",
       facet_overlap,
-      "A point that has changed its master facet six times in a "
-      "load step keeps it until its projection is this "
-      "fraction of the facet outside: points at a kink between "
-      "facets then do not hop for ever.",
+      "A point that has changed its master facet six times in a load step "
+      "keeps it until its projection is this fraction of the facet outside (10 "
+      "times as much after twelve changes, 50 times after eighteen, 0.5 at "
+      "most): points at a kink between facets then do not hop for ever.",
       Patterns::Double(0., 0.2));
     prm.add_parameter("Gap offset",
                       gap_offset,

@@ -16,6 +16,13 @@ namespace stickslip
     /// Distances that differ by less than this fraction of the face are equal.
     constexpr double tie_tolerance = 1e-9;
 
+
+
+    /// How far beyond the end a clinging point keeps its partner, and the most
+    /// that a facet is extended (both as a fraction of the face).
+    constexpr double clinging_length = 0.5;
+    constexpr double largest_overlap = 0.5;
+
     /// Boxes that each rank announces: enough to follow a bent surface.
     constexpr unsigned int n_announced_boxes = 16;
 
@@ -276,6 +283,7 @@ namespace stickslip
     const Tensor<1, dim>                               &x_s,
     const Tensor<1, dim>                               &slave_normal,
     const std::vector<std::pair<double, unsigned int>> &candidates,
+    const PairingMemory                                &memory,
     const bool                                          on_edges,
     double                                             &distance) const
   {
@@ -295,7 +303,9 @@ namespace stickslip
         // Over a convex edge the overshoot shrinks with the gap; beyond the end
         // of the surface it does not.
         const double allowed =
-          projection_tolerance * faces[f].diameter + 0.8 * projection.distance;
+          (projection_tolerance + (memory.clings ? clinging_length : 0.)) *
+            faces[f].diameter +
+          0.8 * projection.distance;
         if (!projection.found || projection.distance > search_distance ||
             projection.overshoot > allowed)
           continue;
@@ -326,7 +336,7 @@ namespace stickslip
   MasterPatch<dim>::find(const Tensor<1, dim>    &x_s,
                          const Tensor<1, dim>    &slave_normal,
                          const ContactFrame<dim> &hint,
-                         const bool               keep_facet) const
+                         const PairingMemory     &memory) const
   {
     if (faces.empty())
       return ContactFrame<dim>();
@@ -338,7 +348,9 @@ namespace stickslip
                           current[f],
                           shape,
                           x_s,
-                          keep_facet ? facet_overlap : inside_tolerance);
+                          std::clamp(memory.overlap_factor * facet_overlap,
+                                     inside_tolerance,
+                                     largest_overlap));
         if (projection.found && projection.distance < 0.25 * faces[f].diameter)
           {
             MasterPoint<dim> point;
@@ -356,18 +368,19 @@ namespace stickslip
     const unsigned int n_near = dim == 2 ? 6 : 16;
     auto               near   = candidates(x_s, n_near);
     double             distance, edge_distance;
-    ContactFrame<dim> frame = nearest(x_s, slave_normal, near, false, distance);
+    ContactFrame<dim>  frame =
+      nearest(x_s, slave_normal, near, memory, false, distance);
     if (frame.paired && distance < 0.25 * faces[frame.face].diameter)
       return frame;
     if (!frame.paired && near.size() == n_near)
       {
         near  = candidates(x_s, faces.size());
-        frame = nearest(x_s, slave_normal, near, false, distance);
+        frame = nearest(x_s, slave_normal, near, memory, false, distance);
       }
     // The point may hang over a convex edge close by although it projects on
     // some face far away.
     const ContactFrame<dim> edge =
-      nearest(x_s, slave_normal, near, true, edge_distance);
+      nearest(x_s, slave_normal, near, memory, true, edge_distance);
     return edge.paired && edge_distance < 0.5 * distance ? edge : frame;
   }
 

@@ -69,7 +69,8 @@ namespace stickslip
                 diagnosis.n_facet_changes = history.n_facet_changes(p, i);
               }
             diagnosis.remedy = history.remedy(p, i);
-            if (diagnosis.remedy.empty() && point.has_hopped())
+            if (diagnosis.remedy.empty() &&
+                point.pairing_memory().overlap_factor > 0.)
               diagnosis.remedy = "kept on its facet";
             if (cycle != cycles.end() && cycle->pair == p && cycle->point == i)
               {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 #include <sstream>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 namespace stickslip
@@ -50,8 +48,7 @@ namespace stickslip
               "violation of Coulomb's law",
               "Law tolerance");
       if (found.violation.fallen_through > 0)
-        text << (text.tellp() > 0 ? "; " : "")
-             << found.violation.fallen_through
+        text << (text.tellp() > 0 ? "; " : "") << found.violation.fallen_through
              << " points have passed through the surface that they were on";
       return text.str();
     }
@@ -68,7 +65,8 @@ namespace stickslip
       {
         for (const auto &pair : contact.contact_pairs())
           for (const auto &point : pair->points)
-            frames.emplace_back(point.frame, point.facet_changes);
+            frames.push_back(
+              {point.frame, point.facet_changes, point.pairing_changes});
       }
 
       void
@@ -78,15 +76,25 @@ namespace stickslip
         for (const auto &pair : contact.contact_pairs())
           for (auto &point : pair->points)
             {
-              std::tie(point.frame, point.facet_changes) = *saved++;
+              point.frame           = saved->frame;
+              point.facet_changes   = saved->facet_changes;
+              point.pairing_changes = saved->pairing_changes;
+              ++saved;
               // the patch may be another one by now
               pair->patch->relocate(point.frame);
             }
       }
 
     private:
-      ContactAssembler<dim>                                  &contact;
-      std::vector<std::pair<ContactFrame<dim>, unsigned int>> frames;
+      struct Saved
+      {
+        ContactFrame<dim> frame;
+        unsigned int      facet_changes;
+        unsigned int      pairing_changes;
+      };
+
+      ContactAssembler<dim> &contact;
+      std::vector<Saved>     frames;
     };
   } // namespace
 
@@ -120,15 +128,15 @@ namespace stickslip
           const LA::BlockVector      &x,
           const AcceptanceParameters &parameters)
   {
-    ContactAssembler<dim> &contact = problem.contact();
-    const Liveness         live    = contact.live;
-    const SolveCounts      counts  = problem.counts;
+    ContactAssembler<dim>  &contact = problem.contact();
+    const Liveness          live    = contact.live;
+    const SolveCounts       counts  = problem.counts;
     const FrozenFrames<dim> frames(contact);
 
     contact.live = Liveness();
     problem.forget_state();
     Acceptance found;
-    found.residual  = problem.residual(x);
+    found.residual = problem.residual(x);
     found.residual.prescribed /=
       std::max(x.block(0).linfty_norm(), std::numeric_limits<double>::min());
     found.violation = contact_violation(contact);

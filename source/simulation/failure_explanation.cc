@@ -193,6 +193,14 @@ namespace stickslip
           : "the contact conditions.";
       switch (residual_trend(step.iterations, step.newton))
         {
+          case ResidualTrend::small:
+            return {
+              "unknowns that do not settle",
+              "the residual is below its tolerances, but displacements or "
+              "multipliers change more than 'Increment tolerance' allows.",
+              "unknowns without stiffness, or multipliers of roundoff.",
+              "a larger 'Algorithm/Newton/Increment tolerance'; a smaller "
+              "'Load stepping/Initial step'."};
           case ResidualTrend::grows:
             return {"diverging residual",
                     "the residual grows.",

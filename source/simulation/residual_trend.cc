@@ -33,6 +33,10 @@ namespace stickslip
   residual_trend(const std::vector<NewtonIteration> &iterations,
                  const NewtonParameters             &newton)
   {
+    if (!iterations.empty() && iterations.back().prescribed == 0. &&
+        iterations.back().equilibrium <= newton.equilibrium_tolerance &&
+        iterations.back().contact <= newton.contact_tolerance)
+      return ResidualTrend::small;
     // the first residual is that of displacements not applied yet
     if (iterations.size() <= n_seen + 1)
       return ResidualTrend::unclear;

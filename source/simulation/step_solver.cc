@@ -9,6 +9,12 @@ namespace stickslip
 {
   namespace
   {
+    /// Newton iterations, over the limit of one solve, that an algorithm of
+    /// `automatic` may take in a step before the next one is tried.
+    constexpr unsigned int iterations_before_next = 10;
+
+
+
     template <int dim>
     CycleTreatment
     treatment(const CyclingCures<dim> &cures)
@@ -175,6 +181,14 @@ namespace stickslip
                                    const double           sufficient,
                                    LA::BlockVector       &increment)
   {
+    if (ladder.has_choice() &&
+        problem.counts.newton_iterations >=
+          iterations_before_next * parameters.algorithm.newton.max_iterations)
+      throw NoConvergence(ladder.algorithm(),
+                          "no end in sight after " +
+                            std::to_string(problem.counts.newton_iterations) +
+                            " Newton iterations",
+                          FailureCause::loop_limit);
     ++problem.counts.newton_iterations;
     if (ladder.algorithm() == "GCP")
       {

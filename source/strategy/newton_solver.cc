@@ -31,21 +31,44 @@ namespace stickslip
 
 
 
-    double
-    relative_increment(const LA::BlockVector &x,
-                       const LA::BlockVector &increment)
+    /// Measures increments against the unknowns, or against the largest that
+    /// these have been: where contact is lost, what is left of multipliers is
+    /// roundoff, which has no value to settle at.
+    class IncrementScale
     {
-      double largest = 0.;
-      for (unsigned int b = 0; b < x.n_blocks(); ++b)
-        if (x.block(b).size() > 0)
-          {
-            const double scale = x.block(b).linfty_norm();
-            if (scale > 0.)
-              largest =
-                std::max(largest, increment.block(b).linfty_norm() / scale);
-          }
-      return largest;
-    }
+    public:
+      explicit IncrementScale(const LA::BlockVector &x)
+        : largest(x.n_blocks())
+      {
+        see(x);
+      }
+
+      double
+      relative_increment(const LA::BlockVector &x,
+                         const LA::BlockVector &increment)
+      {
+        see(x);
+        double result = 0.;
+        for (unsigned int b = 0; b < x.n_blocks(); ++b)
+          if (largest[b] > 0.)
+            result = std::max(result,
+                              increment.block(b).linfty_norm() /
+                                std::max(x.block(b).linfty_norm(),
+                                         roundoff_increment * largest[b]));
+        return result;
+      }
+
+    private:
+      std::vector<double> largest; ///< by block
+
+      void
+      see(const LA::BlockVector &x)
+      {
+        for (unsigned int b = 0; b < x.n_blocks(); ++b)
+          if (x.block(b).size() > 0)
+            largest[b] = std::max(largest[b], x.block(b).linfty_norm());
+      }
+    };
 
 
 
@@ -275,11 +298,12 @@ namespace stickslip
     NewtonIteration state  = operators.residual(x);
     NewtonIteration before = state;
     operators.report(0, state);
-    const bool   always_backtrack = parameters.line_search == "backtracking";
-    double       first            = merit(state);
-    Stagnation   stagnation;
-    bool         cycles = false;
-    unsigned int limit  = parameters.max_iterations;
+    const bool     always_backtrack = parameters.line_search == "backtracking";
+    double         first            = merit(state);
+    IncrementScale scale(x);
+    Stagnation     stagnation;
+    bool           cycles = false;
+    unsigned int   limit  = parameters.max_iterations;
     for (unsigned int iteration = 0;; ++iteration)
       {
         if (is_converged(iteration, state) &&
@@ -296,7 +320,7 @@ namespace stickslip
                                   increment);
         before          = state;
         state           = advance(x, increment, before, backtrack);
-        state.increment = relative_increment(x, increment);
+        state.increment = scale.relative_increment(x, increment);
         stagnation.see(merit(state));
         const CycleTreatment treatment =
           operators.treat_cycle(stagnation.lasts_for(patience));

@@ -174,6 +174,9 @@ namespace
     Traces slow;
     slow.set_residuals({1., 1e-1, 5e-2, 3e-2, 2e-2, 1.5e-2, 1e-2, 0.8e-2});
     explain("slow", slow);
+    Traces small;
+    small.set_residuals({1., 1e-1, 5e-9, 3e-9, 2e-10, 1e-9, 1e-9});
+    explain("small residual", small);
     Traces unclear;
     unclear.set_residuals({1., 1e-1, 5e-2, 3e-1, 2e-3, 1.5e-1, 1e-2, 0.8e-1});
     explain("to and fro", unclear);

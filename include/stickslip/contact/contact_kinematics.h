@@ -52,6 +52,13 @@ namespace stickslip
     }
   };
 
+  /// What a contact point's past means for its next pairing.
+  struct PairingMemory
+  {
+    double overlap_factor = 0.; ///< of the facet overlap; 0: the facet may go
+    bool   clings = false; ///< to the end of the master surface, when beyond it
+  };
+
   /// The slave's side of a contact point, now and at the start of the step.
   template <int dim>
   struct SlavePosition

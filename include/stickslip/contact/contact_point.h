@@ -70,9 +70,11 @@ namespace stickslip
 
     // quantities that outer loops may freeze
     ContactFrame<dim> frame;
-    unsigned int      facet_changes = 0;     ///< of the frame during this step
-    bool              closed        = false; ///< frozen S_c
-    double            threshold     = 0.;    ///< frozen s
+    unsigned int      facet_changes   = 0; ///< of the frame during this step
+    unsigned int      pairing_changes = 0; ///< partner lost or found, likewise
+    bool              was_clinging    = false; ///< to the end of the master
+    bool              closed          = false; ///< frozen S_c
+    double            threshold       = 0.;    ///< frozen s
 
     // scales, kept during a Newton iteration
     Regularization regularization;
@@ -100,31 +102,49 @@ namespace stickslip
     {
       if (frame.paired && found.paired && !(frame.face_id == found.face_id))
         ++facet_changes;
+      if (frame.paired != found.paired)
+        ++pairing_changes;
       frame = found;
     }
 
     void
     accept_frame()
     {
-      accepted_frame = frame;
-      facet_changes  = 0;
+      accepted_frame  = frame;
+      was_clinging    = is_clinging() && frame.paired && !frame.is_interior();
+      facet_changes   = 0;
+      pairing_changes = 0;
     }
 
     void
     restore_frame()
     {
-      frame         = accepted_frame;
-      facet_changes = 0;
+      frame           = accepted_frame;
+      facet_changes   = 0;
+      pairing_changes = 0;
     }
 
-    /// True if the point has changed its facet oftener during this step than
-    /// Newton's first iterations explain, as at a kink. Other points are paired
-    /// without regard to their past: which of two facets a point saw first
-    /// would else decide its normal.
-    bool
-    has_hopped() const
+    /**
+     * How far the point's past decides about its partner. A point that has
+     * changed its facet oftener during this step than Newton's first iterations
+     * explain, as at a kink, keeps it beyond its edge, the farther the longer
+     * this goes on; one that has lost and found its partner as often, at the
+     * end of the master surface, clings to the end until it is well beyond.
+     * Other points are paired without regard to their past: which of two facets
+     * a point saw first would else decide its normal.
+     */
+    PairingMemory
+    pairing_memory() const
     {
-      return facet_changes >= 6;
+      const unsigned int n = facet_changes / 6;
+      return {n == 0 ? 0. : n == 1 ? 1. : n == 2 ? 10. : 50., is_clinging()};
+    }
+
+  private:
+    bool
+    is_clinging() const
+    {
+      return was_clinging || pairing_changes >= 4;
     }
   };
 } // namespace stickslip

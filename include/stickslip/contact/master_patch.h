@@ -63,16 +63,17 @@ namespace stickslip
      * Pairs a slave point: the nearest face on which it projects, else the
      * nearest edge or corner. @p slave_normal is the slave's outward normal;
      * only master facets that look at it are considered. Does not depend on the
-     * order of faces. With @p keep_facet a face that the point is paired with
-     * already (@p hint) is kept while the projection is at most `facet_overlap`
-     * outside of it: without that a point at a kink hops between two facets for
-     * ever. The tangent basis is not set.
+     * order of faces. A face that the point is paired with already (@p hint)
+     * is kept while the projection is at most `facet_overlap` times the factor
+     * of @p memory outside of it, and a point that clings keeps a partner up to
+     * half a face beyond the end of the surface: without that a point at a kink
+     * or at the end changes its partner for ever. The tangent basis is not set.
      */
     ContactFrame<dim>
     find(const Tensor<1, dim>    &x_s,
          const Tensor<1, dim>    &slave_normal,
          const ContactFrame<dim> &hint,
-         const bool               keep_facet) const;
+         const PairingMemory     &memory) const;
 
     /// Brings a frame made before fetch() to the present patch; unpaired if
     /// its face is not there any more.
@@ -137,6 +138,7 @@ namespace stickslip
     nearest(const Tensor<1, dim>                               &x_s,
             const Tensor<1, dim>                               &slave_normal,
             const std::vector<std::pair<double, unsigned int>> &candidates,
+            const PairingMemory                                &memory,
             const bool                                          on_edges,
             double                                             &distance) const;
   };

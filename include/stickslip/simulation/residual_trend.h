@@ -10,6 +10,7 @@ namespace stickslip
   /// What the residuals of a Newton run that failed were doing at its end.
   enum class ResidualTrend
   {
+    small,       ///< below its tolerances, but the unknowns keep changing
     unclear,     ///< to and fro, or too few iterations to say
     grows,       ///< and is far above its tolerance
     stagnates,   ///< just above its tolerance, as roundoff does
