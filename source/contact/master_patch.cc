@@ -340,7 +340,7 @@ namespace stickslip
   {
     if (faces.empty())
       return ContactFrame<dim>();
-    if (hint.paired && hint.is_interior())
+    if (hint.paired && (hint.is_interior() || memory.overlap_factor > 0.))
       {
         const unsigned int f = hint.face;
         const auto         projection =
@@ -357,6 +357,7 @@ namespace stickslip
             evaluate_master_point(
               faces[f], current[f], shape, projection.xi, point);
             ContactFrame<dim> frame = hint;
+            frame.free.fill(true);
             frame.xi                = projection.xi;
             frame.n                 = point.n;
             if (frame.n * slave_normal > 0.1)

@@ -100,7 +100,8 @@ namespace stickslip
     void
     set_frame(const ContactFrame<dim> &found)
     {
-      if (frame.paired && found.paired && !(frame.face_id == found.face_id))
+      if (frame.paired && found.paired &&
+          !(frame.face_id == found.face_id && frame.free == found.free))
         ++facet_changes;
       if (frame.paired != found.paired)
         ++pairing_changes;
