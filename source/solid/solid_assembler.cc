@@ -32,10 +32,10 @@ namespace stickslip
                 update_values | update_gradients | update_quadrature_points |
                   update_JxW_values)
     , element(dof_handler.get_fe())
+    , deformation(quadrature.size())
     , stiffness(dof_handler.get_fe().n_dofs_per_cell(),
                 dof_handler.get_fe().n_dofs_per_cell())
     , dof_indices(dof_handler.get_fe().n_dofs_per_cell())
-    , deformation(quadrature.size())
     , body_forces(bodies.bodies.size())
   {
     AssertDimension(laws.size(), bodies.regions.size());
@@ -92,6 +92,46 @@ namespace stickslip
 
 
   template <int dim>
+  bool
+  SolidAssembler<dim>::is_linear(const CellIterator &cell) const
+  {
+    return !is_rigid(cell) && laws[cell->material_id()]->is_linear();
+  }
+
+
+
+  template <int dim>
+  bool
+  SolidAssembler<dim>::has_loads(const CellIterator &cell) const
+  {
+    return !body_forces[bodies.body_of(cell->material_id())].empty() ||
+           surface_loads.act_on(cell);
+  }
+
+
+
+  template <int dim>
+  void
+  SolidAssembler<dim>::assemble_linear_stiffness(const LA::Vector &u)
+  {
+    if (linear_stiffness_is_known)
+      return;
+    std::vector<CellIterator> cells;
+    for (const CellIterator &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned() && is_linear(cell))
+        cells.push_back(cell);
+    const auto stiffness_of = [&](const CellIterator &cell, auto &result) {
+      begin_cell(cell, u);
+      add_stresses(cell, true);
+      element.copy_stiffness(result);
+    };
+    linear_stiffness.assemble(dof_handler.get_fe(), cells, stiffness_of);
+    linear_stiffness_is_known = true;
+  }
+
+
+
+  template <int dim>
   void
   SolidAssembler<dim>::add_residual(const LA::Vector  &u,
                                     const double       time,
@@ -99,9 +139,11 @@ namespace stickslip
                                     LA::Vector        &internal,
                                     LA::Vector        &external)
   {
+    assemble_linear_stiffness(u);
     failure = InadmissiblePoint<dim>();
+    linear_stiffness.add_forces(u, geometric, internal);
     for (const CellIterator &cell : dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned() && !is_rigid(cell))
+      if (cell->is_locally_owned() && !is_rigid(cell) && !is_only_linear(cell))
         {
           evaluate_cell(cell, u, time, false);
           geometric.distribute_local_to_global(element.internal,
@@ -123,10 +165,12 @@ namespace stickslip
                                    LA::SparseMatrix  &matrix,
                                    LA::Vector        &rhs)
   {
+    assemble_linear_stiffness(u);
     failure = InadmissiblePoint<dim>();
+    linear_stiffness.add_tangent(u, constraints, matrix, rhs);
     Vector<double> minus_residual(dof_indices.size());
     for (const CellIterator &cell : dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned())
+      if (cell->is_locally_owned() && !is_only_linear(cell))
         {
           if (is_rigid(cell))
             set_rigid_cell(cell);
@@ -146,15 +190,25 @@ namespace stickslip
 
   template <int dim>
   void
+  SolidAssembler<dim>::begin_cell(const CellIterator &cell, const LA::Vector &u)
+  {
+    cell->get_dof_indices(dof_indices);
+    element.reinit(u, dof_indices);
+    fe_values.reinit(typename Triangulation<dim>::active_cell_iterator(cell));
+  }
+
+
+
+  template <int dim>
+  void
   SolidAssembler<dim>::evaluate_cell(const CellIterator &cell,
                                      const LA::Vector   &u,
                                      const double        time,
                                      const bool          with_tangent)
   {
-    cell->get_dof_indices(dof_indices);
-    element.reinit(u, dof_indices);
-    fe_values.reinit(typename Triangulation<dim>::active_cell_iterator(cell));
-    add_stresses(cell, with_tangent);
+    begin_cell(cell, u);
+    if (!is_linear(cell))
+      add_stresses(cell, with_tangent);
     add_body_forces(cell, time);
     surface_loads.add_cell(cell, time, with_tangent, element);
     if (viscous.is_active())
@@ -301,9 +355,7 @@ namespace stickslip
     states.clear();
     if (is_rigid(cell))
       return;
-    cell->get_dof_indices(dof_indices);
-    element.reinit(u, dof_indices);
-    fe_values.reinit(typename Triangulation<dim>::active_cell_iterator(cell));
+    begin_cell(cell, u);
 
     if (!deformation.compute(fe_values,
                              mean_dilatation[cell->material_id()],

@@ -21,6 +21,21 @@ namespace stickslip
 
 
   template <int dim>
+  bool
+  SurfaceLoads<dim>::act_on(
+    const typename DoFHandler<dim>::active_cell_iterator &cell) const
+  {
+    if (!loads_of.empty() && cell->at_boundary())
+      for (const unsigned int face : cell->face_indices())
+        if (cell->face(face)->at_boundary() &&
+            loads_of.count(cell->face(face)->boundary_id()) > 0)
+          return true;
+    return false;
+  }
+
+
+
+  template <int dim>
   void
   SurfaceLoads<dim>::add_cell(
     const typename DoFHandler<dim>::active_cell_iterator &cell,

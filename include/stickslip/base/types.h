@@ -12,6 +12,8 @@
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 #include <deal.II/lac/trilinos_vector.h>
 
+#include <vector>
+
 namespace stickslip
 {
   using namespace dealii;
@@ -86,9 +88,35 @@ namespace stickslip
 
 
 
+    /// Adds rows to a matrix. Owned ones go straight into its storage, which
+    /// spares the search for each column.
+    class RowAdder
+    {
+    public:
+      /// @p matrix must outlive this object and keep its sparsity.
+      explicit RowAdder(SparseMatrix &matrix)
+        : matrix(matrix)
+        , positions(matrix.trilinos_matrix().NumMyCols())
+      {}
+
+      /// Row @p row += @p weight times @p values in @p columns, which must be in
+      /// the sparsity; a column may occur several times.
+      void
+      add(const types::global_dof_index               row,
+          const std::vector<types::global_dof_index> &columns,
+          const std::vector<double>                  &values,
+          const double                                weight);
+
+    private:
+      SparseMatrix    &matrix;
+      std::vector<int> positions; ///< of local columns in the present row
+    };
+
+
+
     /**
-     * Algebraic multigrid by smoothed aggregation (ML): V-cycles with two
-     * symmetric Gauss-Seidel sweeps before and after, a direct solver on the
+     * Algebraic multigrid by smoothed aggregation (ML): V-cycles with one
+     * symmetric Gauss-Seidel sweep before and after, a direct solver on the
      * coarsest level.
      */
     class AlgebraicMultigrid

@@ -109,6 +109,14 @@ namespace stickslip
     {
       return false;
     }
+
+    /// True if P is a linear function of F - I and of nothing else: dP_dF is
+    /// then the same in all states.
+    virtual bool
+    is_linear() const
+    {
+      return false;
+    }
   };
 
   /// A law by its name in the parameter file, with default parameters. Throws

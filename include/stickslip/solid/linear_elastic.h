@@ -43,6 +43,12 @@ namespace stickslip
       return true;
     }
 
+    bool
+    is_linear() const override
+    {
+      return true;
+    }
+
     ElasticConstants constants;
   };
 } // namespace stickslip

@@ -11,6 +11,7 @@
 #include <stickslip/solid/constitutive_law.h>
 #include <stickslip/solid/history_fields.h>
 #include <stickslip/solid/inadmissible_point.h>
+#include <stickslip/solid/linear_stiffness.h>
 #include <stickslip/solid/mean_dilatation.h>
 #include <stickslip/solid/point_history.h>
 #include <stickslip/solid/surface_loads.h>
@@ -38,7 +39,8 @@ namespace stickslip
    * forces)
    *
    * with Gauss(degree + 1) in the reference cells. Works with any FESystem of
-   * dim equal FE_Q. Cells of rigid bodies are skipped.
+   * dim equal FE_Q. Cells of rigid bodies are skipped, and those of linear laws
+   * are evaluated once.
    */
   template <int dim>
   class SolidAssembler
@@ -179,8 +181,30 @@ namespace stickslip
     bool
     is_rigid(const CellIterator &cell) const;
 
-    /// Makes `element` hold the forces and, with_tangent, the stiffness of one
-    /// cell.
+    /// The material of the cell has a stiffness that does not change.
+    bool
+    is_linear(const CellIterator &cell) const;
+
+    bool
+    has_loads(const CellIterator &cell) const;
+
+    /// The cell adds nothing but its linear stiffness.
+    bool
+    is_only_linear(const CellIterator &cell) const
+    {
+      return is_linear(cell) && !has_loads(cell);
+    }
+
+    /// Sums up the cells of linear laws when they are first needed.
+    void
+    assemble_linear_stiffness(const LA::Vector &u);
+
+    /// Moves the scratch to the cell.
+    void
+    begin_cell(const CellIterator &cell, const LA::Vector &u);
+
+    /// Makes `element` hold the forces (without those of linear stiffness) and,
+    /// with_tangent, the stiffness of one cell.
     void
     evaluate_cell(const CellIterator &cell,
                   const LA::Vector   &u,
@@ -216,6 +240,9 @@ namespace stickslip
     SurfaceLoads<dim>         surface_loads;
     ViscousStabilization<dim> viscous;
     double                    largest_modulus;
+
+    LinearStiffness<dim> linear_stiffness;
+    bool                 linear_stiffness_is_known = false;
 
     InadmissiblePoint<dim> failure; ///< of the last evaluation
 

@@ -38,6 +38,10 @@ namespace stickslip
                  const FiniteElement<dim>     &fe,
                  const std::vector<Load<dim>> &loads);
 
+    /// True if add_cell() has something to add.
+    bool
+    act_on(const typename DoFHandler<dim>::active_cell_iterator &cell) const;
+
     /// Adds forces (and stiffness) of all loaded faces of one cell.
     void
     add_cell(const typename DoFHandler<dim>::active_cell_iterator &cell,

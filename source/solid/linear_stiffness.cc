@@ -1,0 +1,203 @@
+#include <stickslip/solid/linear_stiffness.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <algorithm>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// The unknowns that stand for @p dof, with their weights.
+    void
+    resolve(const Constraints            &constraints,
+            const types::global_dof_index dof,
+            std::vector<std::pair<types::global_dof_index, double>> &unknowns)
+    {
+      if (!constraints.is_constrained(dof))
+        unknowns.assign(1, {dof, 1.});
+      else
+        unknowns = *constraints.get_constraint_entries(dof);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  LinearStiffness<dim>::number_nodes(
+    const std::vector<unsigned int> &first_components,
+    const std::vector<CellIterator> &cells)
+  {
+    std::vector<types::global_dof_index> cell_dofs, firsts;
+    for (const CellIterator &cell : cells)
+      {
+        cell_dofs.resize(cell->get_fe().n_dofs_per_cell());
+        cell->get_dof_indices(cell_dofs);
+        for (const unsigned int i : first_components)
+          firsts.push_back(cell_dofs[i]);
+      }
+    std::sort(firsts.begin(), firsts.end());
+    firsts.erase(std::unique(firsts.begin(), firsts.end()), firsts.end());
+    dofs.clear();
+    for (const auto first : firsts)
+      for (unsigned int c = 0; c < dim; ++c)
+        dofs.push_back(first + c);
+  }
+
+
+
+  template <int dim>
+  void
+  LinearStiffness<dim>::assemble(const FiniteElement<dim>        &fe,
+                                 const std::vector<CellIterator> &cells,
+                                 const CellStiffness             &stiffness_of)
+  {
+    const unsigned int        n = fe.base_element(0).n_dofs_per_cell();
+    std::vector<unsigned int> first_components;
+    for (unsigned int a = 0; a < n; ++a)
+      first_components.push_back(fe.component_to_system_index(0, a));
+    number_nodes(first_components, cells);
+
+    const unsigned int                   n_nodes = dofs.size() / dim;
+    std::vector<types::global_dof_index> cell_dofs(fe.n_dofs_per_cell());
+    std::vector<types::global_dof_index> nodes(n);
+    const auto                           read_nodes = [&](const auto &cell) {
+      cell->get_dof_indices(cell_dofs);
+      for (unsigned int a = 0; a < n; ++a)
+        {
+          const auto first = cell_dofs[first_components[a]];
+          for (unsigned int c = 0; c < dim; ++c)
+            AssertDimension(cell_dofs[fe.component_to_system_index(c, a)],
+                            first + c);
+          nodes[a] =
+            (std::lower_bound(dofs.begin(), dofs.end(), first) - dofs.begin()) /
+            dim;
+        }
+    };
+    DynamicSparsityPattern pattern(n_nodes);
+    for (const CellIterator &cell : cells)
+      {
+        read_nodes(cell);
+        for (const auto node : nodes)
+          pattern.add_entries(node, nodes.begin(), nodes.end());
+      }
+    blocks.copy_from(pattern);
+    values.assign(blocks.n_nonzero_elements() * dim * dim, 0.);
+
+    FullMatrix<double> stiffness(fe.n_dofs_per_cell());
+    for (const CellIterator &cell : cells)
+      {
+        stiffness_of(cell, stiffness);
+        read_nodes(cell);
+        for (unsigned int a = 0; a < n; ++a)
+          for (unsigned int b = 0; b < n; ++b)
+            {
+              double *const block =
+                values.data() + blocks(nodes[a], nodes[b]) * dim * dim;
+              for (unsigned int i = 0; i < dim; ++i)
+                for (unsigned int k = 0; k < dim; ++k)
+                  block[i * dim + k] +=
+                    stiffness(fe.component_to_system_index(i, a),
+                              fe.component_to_system_index(k, b));
+            }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  LinearStiffness<dim>::vmult(Vector<double> &y, const Vector<double> &x) const
+  {
+    for (unsigned int node = 0; node < blocks.n_rows(); ++node)
+      {
+        double sum[dim] = {};
+        for (auto entry = blocks.begin(node); entry != blocks.end(node);
+             ++entry)
+          {
+            const double *const block =
+              values.data() + entry->global_index() * dim * dim;
+            const double *const x_node = x.begin() + entry->column() * dim;
+            for (unsigned int i = 0; i < dim; ++i)
+              for (unsigned int k = 0; k < dim; ++k)
+                sum[i] += block[i * dim + k] * x_node[k];
+          }
+        for (unsigned int i = 0; i < dim; ++i)
+          y(node * dim + i) = sum[i];
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  LinearStiffness<dim>::add_forces(const LA::Vector  &u,
+                                   const Constraints &geometric,
+                                   LA::Vector        &internal) const
+  {
+    if (dofs.empty())
+      return;
+    Vector<double> x(dofs.size()), forces(dofs.size());
+    u.extract_subvector_to(dofs.begin(), dofs.end(), x.begin());
+    vmult(forces, x);
+    geometric.distribute_local_to_global(forces, dofs, internal);
+  }
+
+
+
+  template <int dim>
+  void
+  LinearStiffness<dim>::add_tangent(const LA::Vector  &u,
+                                    const Constraints &constraints,
+                                    LA::SparseMatrix  &matrix,
+                                    LA::Vector        &rhs) const
+  {
+    if (dofs.empty())
+      return;
+    // What is prescribed moves the other nodes, too: -K (u + prescribed).
+    Vector<double> x(dofs.size()), forces(dofs.size());
+    u.extract_subvector_to(dofs.begin(), dofs.end(), x.begin());
+    for (unsigned int k = 0; k < dofs.size(); ++k)
+      x(k) += constraints.get_inhomogeneity(dofs[k]);
+    vmult(forces, x);
+    forces *= -1.;
+    constraints.distribute_local_to_global(forces, dofs, rhs);
+
+    LA::RowAdder                                            adder(matrix);
+    std::vector<std::pair<types::global_dof_index, double>> rows, unknowns;
+    std::vector<types::global_dof_index>                    columns;
+    std::vector<double>                                     row;
+    for (unsigned int k = 0; k < dofs.size(); ++k)
+      {
+        const unsigned int node = k / dim, i = k % dim;
+        if (constraints.is_constrained(dofs[k]))
+          matrix.add(dofs[k],
+                     dofs[k],
+                     values[blocks(node, node) * dim * dim + i * dim + i]);
+        resolve(constraints, dofs[k], rows);
+        if (rows.empty())
+          continue;
+        columns.clear();
+        row.clear();
+        for (auto entry = blocks.begin(node); entry != blocks.end(node);
+             ++entry)
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              const double value =
+                values[(entry->global_index() * dim + i) * dim + c];
+              resolve(constraints, dofs[entry->column() * dim + c], unknowns);
+              for (const auto &[unknown, weight] : unknowns)
+                {
+                  columns.push_back(unknown);
+                  row.push_back(weight * value);
+                }
+            }
+        for (const auto &[index, weight] : rows)
+          adder.add(index, columns, row, weight);
+      }
+  }
+
+  template class LinearStiffness<2>;
+  template class LinearStiffness<3>;
+} // namespace stickslip
