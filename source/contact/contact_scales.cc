@@ -26,6 +26,14 @@ namespace stickslip
 
 
 
+    /// Stick that is assumed before the first pressure, over the stiffness of
+    /// the contact: so weak that the first iteration is nearly the frictionless
+    /// one, from which fewer points change their status later. Only a pair that
+    /// has to hold a body sticks with its full stiffness.
+    constexpr double weak_stick = 1e-4;
+
+
+
     /// A role's own number, or the common one.
     double
     role_value(const std::string &text, const double common)
@@ -117,10 +125,11 @@ namespace stickslip
             r.r_t_status = unit_t * role_value(given.r_t_status, r_t);
             r.r_t_augmentation =
               unit_t * role_value(given.r_t_augmentation, r_t);
-            r.r_t_law         = unit_t * role_value(given.r_t_law, r_t);
-            r.threshold_scale = s;
-            r.initial_threshold =
-              parameters.has_friction() && largest == 0. ? s : 0.;
+            r.r_t_law           = unit_t * role_value(given.r_t_law, r_t);
+            r.threshold_scale   = s;
+            r.initial_stiffness = 0.;
+            if (parameters.has_friction() && largest == 0.)
+              r.initial_stiffness = k * (pair->has_to_hold ? 1. : weak_stick);
             r.open_scale = open_row_factor * s / r.r_t_law;
           }
       }

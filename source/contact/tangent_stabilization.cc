@@ -11,14 +11,12 @@ namespace stickslip
   {
     const Regularization &r = point.regularization;
     if (!state.status.closed || state.response.threshold > 0. ||
-        r.initial_threshold == 0.)
+        r.initial_stiffness == 0.)
       return;
-    // weak, so that the iteration is nearly the frictionless one
-    const double stiffness = 1e-4 * r.initial_threshold * r.r_t_augmentation;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int c = 0; c < GeneralizedCoordinates<dim>::n; ++c)
         state.response.D_traction[i][c] +=
-          stiffness * state.kinematics.D_d_t[i][c];
+          r.initial_stiffness * state.kinematics.D_d_t[i][c];
   }
 
 

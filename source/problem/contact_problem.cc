@@ -366,22 +366,19 @@ namespace stickslip
 
   template <int dim>
   void
-  ContactProblem<dim>::check_bodies_are_held() const
+  ContactProblem<dim>::check_bodies_are_held()
   {
-    std::set<std::string> in_contact;
-    for (const auto &pair : contact_assembler->contact_pairs())
-      {
-        in_contact.insert(pair->parameters.slave_body);
-        in_contact.insert(pair->parameters.master_body);
-      }
     std::string text;
     for (const std::string &motion : free_motions())
       {
+        const auto moves = [&motion](const std::string &body) {
+          return motion.find("'" + body + "'") != std::string::npos;
+        };
         bool may_be_held_by_contact = false;
-        for (const std::string &body : in_contact)
-          may_be_held_by_contact =
-            may_be_held_by_contact ||
-            motion.find("'" + body + "'") != std::string::npos;
+        for (const auto &pair : contact_assembler->contact_pairs())
+          if (moves(pair->parameters.slave_body) ||
+              moves(pair->parameters.master_body))
+            may_be_held_by_contact = pair->has_to_hold = true;
         if (!may_be_held_by_contact)
           text += "\n  " + motion;
       }

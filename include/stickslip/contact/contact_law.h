@@ -14,8 +14,9 @@ namespace stickslip
     double r_t_status       = 1.; ///< r_t^{Sf} [1/length]
     double r_t_augmentation = 1.; ///< r_t^{A}
     double r_t_law          = 1.; ///< r_t^{Coul}
-    double initial_threshold =
-      0.;                   ///< assumed by the tangent while none has one
+    /// Tangential stiffness in the tangent as long as no point has a threshold
+    /// [stress/length].
+    double initial_stiffness = 0.;
     double open_scale = 1.; ///< c of the open Lambda rows [stress length]
     double negligible_threshold = 0.; ///< s up to here is roundoff: no friction
     double threshold_scale      = 1.; ///< s or the least one that r_t follows

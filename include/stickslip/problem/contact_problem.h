@@ -156,9 +156,10 @@ namespace stickslip
                                                       dofs.dof_handler);
     }
 
-    /// Throws UserError for bodies that nothing can hold.
+    /// Throws UserError for bodies that nothing can hold, and tells contact
+    /// pairs that they have to.
     void
-    check_bodies_are_held() const;
+    check_bodies_are_held();
 
     const DofLayout<dim> &
     layout() const
