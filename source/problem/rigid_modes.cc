@@ -53,32 +53,38 @@ namespace stickslip
               const Bodies                    &bodies,
               const std::vector<unsigned int> &colours)
   {
-    constexpr unsigned int n_modes = RigidBodyModes<dim>::n_modes;
-    const auto      boxes = body_boxes(dof_handler.get_triangulation(), bodies);
-    const auto     &fe    = dof_handler.get_fe();
-    const IndexSet &owned = dof_handler.locally_owned_dofs();
-    const unsigned int n_owned   = owned.n_elements();
-    unsigned int       n_colours = 0;
+    constexpr unsigned int n_modes   = RigidBodyModes<dim>::n_modes;
+    const auto            &fe        = dof_handler.get_fe();
+    const IndexSet        &owned     = dof_handler.locally_owned_dofs();
+    const std::size_t      n_owned   = owned.n_elements();
+    unsigned int           n_colours = 1;
     for (const unsigned int colour : colours)
       if (colour != numbers::invalid_unsigned_int)
         n_colours = std::max(n_colours, colour + 1);
+    const auto boxes   = body_boxes(dof_handler.get_triangulation(), bodies);
+    auto       corners = boxes.front(); // of the model
+    for (const auto &box : boxes)
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          corners.first[d]  = std::min(corners.first[d], box.first[d]);
+          corners.second[d] = std::max(corners.second[d], box.second[d]);
+        }
+    const Point<dim> centre =
+      corners.first + 0.5 * (corners.second - corners.first);
+    const double radius = 0.5 * corners.first.distance(corners.second);
 
     NearNullSpace space;
-    space.n_vectors = n_colours * n_modes;
-    space.values.assign(static_cast<std::size_t>(space.n_vectors) * n_owned,
-                        0.);
+    space.n_vectors = n_modes + (n_colours - 1) * dim;
+    space.values.assign(space.n_vectors * n_owned, 0.);
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
         if (!cell->is_locally_owned())
           continue;
-        const unsigned int body   = bodies.body_of(cell->material_id());
-        const unsigned int colour = colours[body];
+        const unsigned int colour =
+          colours[bodies.body_of(cell->material_id())];
         if (colour == numbers::invalid_unsigned_int)
           continue;
-        const auto          &box      = boxes[body];
-        const Tensor<1, dim> diagonal = box.second - box.first;
-        const Point<dim>     centre   = box.first + 0.5 * diagonal;
         cell->get_dof_indices(dofs);
         for (unsigned int i = 0; i < dofs.size(); ++i)
           {
@@ -90,13 +96,13 @@ namespace stickslip
                                                   fe.unit_support_point(i));
             const unsigned int component =
               fe.system_to_component_index(i).first;
-            const std::size_t row = owned.index_within_set(dofs[i]);
+            double *const value =
+              space.values.data() + owned.index_within_set(dofs[i]);
             for (unsigned int m = 0; m < n_modes; ++m)
-              space
-                .values[(colour * n_modes + m) * std::size_t(n_owned) + row] =
-                rigid_mode<dim>(m,
-                                (position - centre) /
-                                  (0.5 * diagonal.norm()))[component];
+              value[m * n_owned] =
+                rigid_mode<dim>(m, (position - centre) / radius)[component];
+            if (colour > 0)
+              value[(n_modes + (colour - 1) * dim + component) * n_owned] = 1.;
           }
       }
     return space;

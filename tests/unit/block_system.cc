@@ -140,7 +140,8 @@ namespace
 
 
 
-  /// With gaps the bodies are free, so that their modes are a null space.
+  /// With gaps the bodies are free, so that the translations of the middle one
+  /// are a null space.
   template <int dim>
   void
   test_modes(const int degree)
@@ -169,15 +170,18 @@ namespace
           u = z;
         A.vmult(forces, u);
         smallest_mode = std::min(smallest_mode, u.linfty_norm());
-        if (m < space.n_vectors / 2) // lower (held) and upper
+        if (m < space.n_vectors - dim) // all bodies, of which one is held
           smallest_held = std::min(smallest_held, forces.linfty_norm());
         else // middle
           largest = std::max(largest, forces.linfty_norm());
       }
-    print("modes of the middle body are in the null space", largest < 1e-12);
-    print("modes of the lower one are not, where it is held",
+    print("translations of the middle body are in the null space",
+          largest < 1e-12);
+    print("motions of all bodies are not, where one is held",
           smallest_held > 1e-3);
-    print("all modes move nodes", smallest_mode > 0.5);
+    // the least is the rotation about the axis of the slender tower: half its
+    // width over half its diagonal, 0.26
+    print("all modes move nodes", smallest_mode > 0.25);
   }
 
 

@@ -19,7 +19,7 @@ namespace stickslip
   /**
    * A colour for each body, different for deformable bodies that touch: bodies
    * of one colour can share the vectors of a near null space, because no row
-   * of a matrix sees both. Rigid bodies have none
+   * of a matrix sees both. The smallest colour is 0. Rigid bodies have none
    * (numbers::invalid_unsigned_int).
    */
   template <int dim>
@@ -28,10 +28,14 @@ namespace stickslip
                 const std::vector<std::unique_ptr<ContactPair<dim>>> &pairs);
 
   /**
-   * The rigid motions of the bodies, 3 in 2D and 6 in 3D for each colour, as
-   * nodal vectors of @p dof_handler (FE_Q^dim). Zero on bodies of other colours
-   * and where @p constraints constrain. Rotations are about the centre of a
-   * body and scaled with its size. Collective.
+   * Nodal vectors of @p dof_handler (FE_Q^dim): the rigid motions of all
+   * bodies together (3 in 2D, 6 in 3D; rotations about the centre of the model
+   * and scaled with its size), then for each colour above 0 the translations
+   * of its bodies alone. An aggregate of multigrid inside a body needs the
+   * first ones only; where it takes nodes of two bodies, the others let them
+   * slide and open. Rotations of one body against the other there are left
+   * out: they cost more (memory, set-up) than they save. Zero where
+   * @p constraints constrain and on rigid bodies. Collective.
    */
   template <int dim>
   NearNullSpace
