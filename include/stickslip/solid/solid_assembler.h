@@ -192,7 +192,7 @@ namespace stickslip
     bool
     is_only_linear(const CellIterator &cell) const
     {
-      return is_linear(cell) && !has_loads(cell);
+      return is_linear(cell) && !has_loads(cell) && !viscous.is_active();
     }
 
     /// Sums up the cells of linear laws when they are first needed.
