@@ -194,7 +194,7 @@ namespace
             const ContactFrame<dim> frame = patch->find(probes[i].x,
                                                         probes[i].slave_normal,
                                                         ContactFrame<dim>(),
-                                                        false);
+                                                        PairingMemory());
             own.push_back(
               {i,
                frame.paired,
@@ -455,7 +455,7 @@ namespace
         roof.patch->relocate(hint);
         const auto probe = probe_at<dim>(x, 1.49, 0.3, 1.);
         const auto frame =
-          roof.patch->find(probe.x, probe.slave_normal, hint, true);
+          roof.patch->find(probe.x, probe.slave_normal, hint, {1., false});
         bool keeps = frame.paired && frame.face_id == found[0].face_id;
         text += keeps ? " kept" : " changed";
       }
