@@ -95,8 +95,8 @@ namespace stickslip
     std::vector<SlaveFace<dim>>       slave_faces;
     std::vector<ContactPoint<dim>>    points;
     std::unique_ptr<MasterPatch<dim>> patch;
-    double largest_slave_diameter = 0.; ///< over ranks
-    bool   has_to_hold = false; ///< a body that nothing else holds
+    double largest_slave_diameter = 0.;    ///< over ranks
+    bool   has_to_hold            = false; ///< a body that nothing else holds
 
     /// Current and old positions of the nodes of an owned slave face.
     const std::vector<Tensor<1, dim>> &

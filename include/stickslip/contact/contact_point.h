@@ -70,7 +70,8 @@ namespace stickslip
 
     // quantities that outer loops may freeze
     ContactFrame<dim> frame;
-    unsigned int      facet_changes   = 0; ///< of the frame during this step
+    unsigned int      facet_changes = 0; ///< of the frame during this step
+    unsigned int      accepted_facet_changes = 0; ///< when it began
     unsigned int      pairing_changes = 0; ///< partner lost or found, likewise
     bool              was_clinging    = false; ///< to the end of the master
     bool              closed          = false; ///< frozen S_c
@@ -113,15 +114,17 @@ namespace stickslip
     {
       accepted_frame  = frame;
       was_clinging    = is_clinging() && frame.paired && !frame.is_interior();
-      facet_changes   = 0;
       pairing_changes = 0;
+      // beyond its facet the point still needs what it has learnt
+      accepted_facet_changes = is_beyond_its_facet() ? facet_changes : 0;
+      facet_changes          = accepted_facet_changes;
     }
 
     void
     restore_frame()
     {
       frame           = accepted_frame;
-      facet_changes   = 0;
+      facet_changes   = accepted_facet_changes;
       pairing_changes = 0;
     }
 
@@ -142,6 +145,15 @@ namespace stickslip
     }
 
   private:
+    bool
+    is_beyond_its_facet() const
+    {
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        if (frame.paired && (frame.xi[d] < -1e-10 || frame.xi[d] > 1. + 1e-10))
+          return true;
+      return false;
+    }
+
     bool
     is_clinging() const
     {
