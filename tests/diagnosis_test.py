@@ -57,6 +57,9 @@ subsection Contact
     set Friction coefficient = 0.3
   end
 end
+subsection Algorithm
+  set Name = GNM
+end
 subsection Load stepping
   set Initial step = 0.5
   set Minimum step = 0.5

@@ -166,7 +166,7 @@ namespace stickslip
     // sparsity gives away.
     const double scale = rhs.l2_norm();
     residual           = rhs;
-    double error       = 1.;
+    double error       = scale > 0. ? 1. : 0.;
     for (unsigned int pass = 0; pass < 3 && scale > 0.; ++pass)
       {
         try

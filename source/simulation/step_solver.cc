@@ -45,7 +45,11 @@ namespace stickslip
     , problem(problem)
     , linear_solver(linear_solver)
     , log(log)
-    , ladder(parameters.algorithm.name)
+    // without contact all algorithms are the same
+    , ladder(parameters.algorithm.name == "automatic" &&
+                 parameters.contact_pairs.empty()
+               ? "GNM"
+               : parameters.algorithm.name)
   {}
 
 

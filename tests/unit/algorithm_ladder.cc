@@ -9,23 +9,23 @@ using namespace stickslip;
 
 namespace
 {
-  /// A step that only @p works solves, up to which the ladder is climbed.
+  /// A step that @p sufficient and what comes after it solve.
   void
-  step(AlgorithmLadder &ladder, const std::string &works)
+  step(AlgorithmLadder &ladder, const std::string &sufficient)
   {
+    const std::string order = "GNM PNM FPM";
     ladder.begin_step();
     std::cout << ladder.algorithm();
-    while (ladder.algorithm() != works)
+    while (order.find(ladder.algorithm()) < order.find(sufficient))
       {
         if (!ladder.climb(NoConvergence("test", "", FailureCause::stagnation)))
           {
-            std::cout << " none";
-            break;
+            std::cout << ", cut\n";
+            return;
           }
         std::cout << " -> " << ladder.algorithm();
       }
-    if (ladder.algorithm() == works)
-      ladder.accept_step();
+    ladder.accept_step();
     std::cout << '\n';
   }
 } // namespace
@@ -40,20 +40,20 @@ main()
   step(named, "PNM");
   step(named, "FPM");
 
-  std::cout << "automatic:\n";
+  std::cout << "automatic; PNM once, which stays for a step:\n";
   AlgorithmLadder ladder("automatic");
   step(ladder, "GNM");
   step(ladder, "PNM");
-  std::cout << "GNM would do again; PNM stays for a step:\n";
-  for (unsigned int i = 0; i < 3; ++i)
-    step(ladder, i == 0 ? "PNM" : "GNM");
-  std::cout << "The second time it stays for two:\n";
-  step(ladder, "PNM");
-  for (unsigned int i = 0; i < 4; ++i)
-    step(ladder, i < 2 ? "PNM" : "GNM");
-  std::cout << "To the top, down one by one, and nothing:\n";
+  for (unsigned int i = 0; i < 2; ++i)
+    step(ladder, "GNM");
+  std::cout << "Needed time and again it stays longer:\n";
+  for (unsigned int i = 0; i < 12; ++i)
+    step(ladder, "PNM");
+  std::cout << "To the top, and down one by one:\n";
   step(ladder, "FPM");
-  step(ladder, "FPM");
+  for (unsigned int i = 0; i < 30; ++i)
+    step(ladder, "GNM");
+  std::cout << "Nothing helps:\n";
   step(ladder, "none of them");
 
   std::cout << "Causes that another algorithm may mend:\n";
