@@ -358,8 +358,8 @@ namespace stickslip
               faces[f], current[f], shape, projection.xi, point);
             ContactFrame<dim> frame = hint;
             frame.free.fill(true);
-            frame.xi                = projection.xi;
-            frame.n                 = point.n;
+            frame.xi = projection.xi;
+            frame.n  = point.n;
             if (frame.n * slave_normal > 0.1)
               return frame;
           }

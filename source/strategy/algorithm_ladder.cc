@@ -27,9 +27,8 @@ namespace stickslip
 
 
   AlgorithmLadder::AlgorithmLadder(const std::string &name)
-    : rungs(name == "automatic" ?
-              std::vector<std::string>{"GNM", "PNM", "FPM"} :
-              std::vector<std::string>{name})
+    : rungs(name == "automatic" ? std::vector<std::string>{"GNM", "PNM", "FPM"}
+                                : std::vector<std::string>{name})
   {}
 
 

@@ -53,7 +53,7 @@ namespace stickslip
     const std::vector<std::string> rungs;
     unsigned int                   rung       = 0;
     unsigned int                   first_rung = 0; ///< of the next step
-    unsigned int n_stay  = 0; ///< steps to stay on first_rung before descending
+    unsigned int n_stay = 0; ///< steps to stay on first_rung before descending
     unsigned int patience = 1; ///< what n_stay becomes after the next climb
   };
 } // namespace stickslip

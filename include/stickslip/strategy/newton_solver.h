@@ -81,10 +81,11 @@ namespace stickslip
 
   /**
    * Newton's method with an optional backtracking line search and with room for
-   * the treatment of cycles. Knows nothing of mechanics. A state is accepted when the relative equilibrium residual
-   * (paper, eq. 25) and the contact rows are below their tolerances, all
-   * prescribed displacements are applied, and, if an iteration was needed, its
-   * increment was below the increment tolerance (the further terms of eq. 26).
+   * the treatment of cycles. Knows nothing of mechanics. A state is accepted
+   * when the relative equilibrium residual (paper, eq. 25) and the contact rows
+   * are below their tolerances, all prescribed displacements are applied, and,
+   * if an iteration was needed, its increment was below the increment tolerance
+   * (the further terms of eq. 26).
    */
   class NewtonSolver
   {
