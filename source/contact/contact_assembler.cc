@@ -175,12 +175,10 @@ namespace stickslip
   ContactAssembler<dim>::live_closed(const ContactPair<dim>  &pair,
                                      const ContactPoint<dim> &point)
   {
-    if (!point.frame.paired)
-      return false;
     evaluate_kinematics(pair, point, false, false);
-    return is_closed(scratch.multipliers.lambda_n,
-                     scratch.kinematics.d_n,
-                     point.regularization);
+    return point.frame.paired && is_closed(scratch.multipliers.lambda_n,
+                                           scratch.kinematics.d_n,
+                                           point.regularization);
   }
 
 
@@ -216,9 +214,11 @@ namespace stickslip
     if (pair.parameters.friction != "Coulomb" || !point.frame.paired)
       return 0.;
     evaluate_kinematics(pair, point, false, false);
+    // A frozen status may still be wrong, and its gap r_n times too large.
+    const bool is_exact = !live.status && pair.parameters.quadrature == "nodal";
+    const double r      = is_exact ? 0. : point.regularization.r_n_augmentation;
     const double pressure =
-      scratch.multipliers.lambda_n -
-      point.regularization.r_n_augmentation * scratch.kinematics.d_n;
+      scratch.multipliers.lambda_n - r * scratch.kinematics.d_n;
     return std::max(0., -pair.parameters.friction_coefficient * pressure);
   }
 

@@ -33,15 +33,18 @@ namespace stickslip
   bool
   NestedFixedPoint::solve_inside(const unsigned int level,
                                  LA::BlockVector   &x,
-                                 std::string       &failure) const
+                                 std::string       &failure,
+                                 unsigned int      &n_failures) const
   {
     try
       {
-        return solve_level(level + 1, x, failure);
+        const bool converged = solve_level(level + 1, x, failure);
+        n_failures           = 0;
+        return converged;
       }
     catch (const NoConvergence &inner)
       {
-        if (!loops[level].outlives_inner_solver)
+        if (++n_failures > loops[level].n_failures_outlived)
           throw;
         failure = inner.what();
         return false;
@@ -78,14 +81,15 @@ namespace stickslip
 
     FixedPointAcceleration acceleration;
     LA::BlockVector        start;
-    unsigned int           pass = 1;
+    unsigned int           pass       = 1;
+    unsigned int           n_failures = 0; ///< of the inner solver, in a row
     for (; pass <= loop.max_iterations && !is_repetition; ++pass)
       {
         // An inner loop may run into its limit while this one is still far from
         // its fixed point (the first statuses cycle); only the last pass
         // counts.
         start           = x;
-        inner_converged = solve_inside(level, x, failure);
+        inner_converged = solve_inside(level, x, failure, n_failures);
         loop.quantity->evaluate(x);
         change = loop.quantity->change();
         loop.quantity->accept();

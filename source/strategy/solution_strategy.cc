@@ -1,5 +1,6 @@
 #include <stickslip/strategy/solution_strategy.h>
 
+#include <limits>
 #include <map>
 
 namespace stickslip
@@ -8,6 +9,11 @@ namespace stickslip
   {
     /// Is geometry, threshold, status live?
     using LiveFlags = std::array<bool, 3>;
+
+    constexpr unsigned int most_failures =
+      std::numeric_limits<unsigned int>::max();
+
+
 
     const std::map<std::string, LiveFlags> &
     named_algorithms()
@@ -140,8 +146,10 @@ namespace stickslip
         loops.push_back(loop);
       }
     // With its first thresholds, far from the final ones, a live status may
-    // cycle in Newton for ever, as it does in the status loop of FPM.
-    loops[1].outlives_inner_solver = !loops[1].is_live && loops[2].is_live;
+    // cycle in Newton for ever, as it does in the status loop of FPM; and so
+    // may stick and slip, which are live in all algorithms.
+    if (!loops[1].is_live)
+      loops[1].n_failures_outlived = loops[2].is_live ? most_failures : 5;
     return loops;
   }
 } // namespace stickslip

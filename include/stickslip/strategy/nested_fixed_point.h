@@ -16,10 +16,11 @@ namespace stickslip
     bool               is_live        = true; ///< left to the inner solver
     double             tolerance      = 0.;
     unsigned int       max_iterations = 1;
-    /// Goes on when the inner solver fails, except in the last pass.
-    bool          outlives_inner_solver = false;
-    bool          is_accelerated        = false; ///< see FixedPointAcceleration
-    unsigned int *n_loops               = nullptr; ///< counts the passes
+    /// Goes on when the inner solver fails, so many times in a row, except in
+    /// the last pass.
+    unsigned int  n_failures_outlived = 0;
+    bool          is_accelerated      = false;   ///< see FixedPointAcceleration
+    unsigned int *n_loops             = nullptr; ///< counts the passes
   };
 
   /**
@@ -50,11 +51,13 @@ namespace stickslip
     const InnerSolver                 solve_inner;
     const Report                      report;
 
-    /// One pass inside @p loop. Returns whether all inner loops converged.
+    /// One pass inside the loop of @p level, after @p n_failures of the inner
+    /// solver in a row. Returns whether all inner loops converged.
     bool
     solve_inside(const unsigned int level,
                  LA::BlockVector   &x,
-                 std::string       &failure) const;
+                 std::string       &failure,
+                 unsigned int      &n_failures) const;
 
     /// Returns whether this and all inner loops converged.
     bool
