@@ -1,11 +1,10 @@
 #include <stickslip/contact/contact_check.h>
 #include <stickslip/contact/contact_scales.h>
 
-#include <deal.II/base/array_view.h>
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 namespace stickslip
 {
@@ -58,6 +57,105 @@ namespace stickslip
       return depth > std::max(pair.slave_faces[point.slave_face].face.diameter,
                               (motion - depth * point.start.n).norm());
     }
+
+
+    void
+    raise(double &largest, const double value)
+    {
+      largest = std::max(largest, value);
+    }
+
+
+
+    /// At most one, also where there is nothing to compare with.
+    double
+    relative(const double error, const double scale)
+    {
+      return error > 0. ? error / std::max(scale, error) : 0.;
+    }
+
+
+
+    /// What the errors of a pair are compared with, and the largest of them.
+    struct PairMaxima
+    {
+      double pressure       = 0.;
+      double threshold      = 0.;
+      double normal_error   = 0.;
+      double friction_error = 0.;
+    };
+
+
+
+    /// Takes a paired point into account.
+    template <int dim>
+    void
+    look_at(ContactAssembler<dim>   &contact,
+            const ContactPair<dim>  &pair,
+            const ContactPoint<dim> &point,
+            ContactViolation        &found,
+            PairMaxima              &maxima)
+    {
+      const auto  &state    = contact.evaluate(pair, point);
+      const auto  &d_n      = state.kinematics.d_n;
+      const auto  &d_t      = state.kinematics.d_t;
+      const auto  &lambda_n = state.multipliers.lambda_n;
+      const double k        = contact_stiffness(pair, point);
+      const double noticeable =
+        noticeable_motion * k *
+        pair.slave_faces[point.slave_face].face.diameter;
+      raise(found.penetration, d_n);
+      raise(found.tension, lambda_n);
+      raise(maxima.pressure, -lambda_n);
+      const double error_n = normal_error(lambda_n, d_n, k);
+      if (error_n > noticeable)
+        raise(maxima.normal_error, error_n);
+      if (!state.status.closed || !pair.parameters.has_friction())
+        return;
+
+      const double         s = state.response.threshold;
+      const Tensor<1, dim> Lambda =
+        tangential_vector<dim>(state.multipliers.Lambda, state.kinematics.tau);
+      const double slip = d_t.norm();
+      raise(found.disc, Lambda.norm() - 1.);
+      if (state.status.stick)
+        raise(found.stick_slip, slip);
+      else if (slip > 0.)
+        raise(found.direction, (Lambda - d_t / slip).norm());
+      raise(maxima.threshold, s);
+      const double error_t = friction_error(Lambda, d_t, s, k);
+      if (s > 0. && error_t > noticeable && point.held_directions.empty())
+        raise(maxima.friction_error, error_t);
+    }
+
+
+
+    /// Two reductions, however many pairs there are.
+    void
+    take_maxima_over_ranks(ContactViolation        &found,
+                           std::vector<PairMaxima> &of_pairs,
+                           const MPI_Comm          &communicator)
+    {
+      std::vector<double *> entries{&found.penetration,
+                                    &found.tension,
+                                    &found.disc,
+                                    &found.stick_slip,
+                                    &found.direction};
+      for (PairMaxima &pair : of_pairs)
+        for (double *entry : {&pair.pressure,
+                              &pair.threshold,
+                              &pair.normal_error,
+                              &pair.friction_error})
+          entries.push_back(entry);
+      std::vector<double> values;
+      for (const double *entry : entries)
+        values.push_back(*entry);
+      Utilities::MPI::max(values, communicator, values);
+      for (unsigned int i = 0; i < entries.size(); ++i)
+        *entries[i] = values[i];
+      found.fallen_through =
+        Utilities::MPI::sum(found.fallen_through, communicator);
+    }
   } // namespace
 
 
@@ -69,8 +167,9 @@ namespace stickslip
     for (const auto &pair : contact.contact_pairs())
       for (auto &point : pair->points)
         {
-          const ContactFrame<dim> frame = pair->find_frame(point);
-          point.start.paired            = frame.paired;
+          const ContactFrame<dim> frame =
+            contact.live.geometry ? point.frame : pair->find_frame(point);
+          point.start.paired = frame.paired;
           if (!frame.paired)
             continue;
           MasterPoint<dim> master;
@@ -90,71 +189,29 @@ namespace stickslip
   ContactViolation
   contact_violation(ContactAssembler<dim> &contact)
   {
-    // one entry per member of ContactViolation, in its order
-    std::array<double, 7> worst{};
-    unsigned int          fallen_through = 0;
-    const auto            see = [](double &entry, const double value) {
-      entry = std::max(entry, value);
-    };
-    const MPI_Comm &communicator = contact.get_communicator();
-    for (const auto &pair : contact.contact_pairs())
+    ContactViolation        found;
+    std::vector<PairMaxima> of_pairs(contact.contact_pairs().size());
+    for (unsigned int p = 0; p < of_pairs.size(); ++p)
       {
-        std::array<double, 2> scales{}; // pressure, threshold
-        std::array<double, 2> errors{};
-        for (const auto &point : pair->points)
+        const ContactPair<dim> &pair = *contact.contact_pairs()[p];
+        for (const auto &point : pair.points)
           {
-            fallen_through += has_fallen_through(*pair, point);
-            if (!point.frame.paired)
-              continue;
-            const auto  &state    = contact.evaluate(*pair, point);
-            const auto  &d_n      = state.kinematics.d_n;
-            const auto  &d_t      = state.kinematics.d_t;
-            const auto  &lambda_n = state.multipliers.lambda_n;
-            const double k        = contact_stiffness(*pair, point);
-            const double noticeable =
-              noticeable_motion * k *
-              pair->slave_faces[point.slave_face].face.diameter;
-            see(worst[0], d_n);
-            see(worst[1], lambda_n);
-            see(scales[0], -lambda_n);
-            const double error_n = normal_error(lambda_n, d_n, k);
-            if (error_n > noticeable)
-              see(errors[0], error_n);
-            if (!state.status.closed || !pair->parameters.has_friction())
-              continue;
-            const double         s = state.response.threshold;
-            const Tensor<1, dim> Lambda =
-              tangential_vector<dim>(state.multipliers.Lambda,
-                                     state.kinematics.tau);
-            const double slip = d_t.norm();
-            see(worst[2], Lambda.norm() - 1.);
-            if (state.status.stick)
-              see(worst[3], slip);
-            else if (slip > 0.)
-              see(worst[4], (Lambda - d_t / slip).norm());
-            see(scales[1], s);
-            const double error_t = friction_error(Lambda, d_t, s, k);
-            if (s > 0. && error_t > noticeable && point.held_directions.empty())
-              see(errors[1], error_t);
+            found.fallen_through += has_fallen_through(pair, point);
+            if (point.frame.paired)
+              look_at(contact, pair, point, found, of_pairs[p]);
           }
-        for (double &scale : scales)
-          scale = Utilities::MPI::max(scale, communicator);
-        if (pair->parameters.quadrature == "nodal")
-          for (unsigned int e = 0; e < 2; ++e)
-            if (errors[e] > 0.)
-              see(worst[5 + e], errors[e] / std::max(scales[e], errors[e]));
       }
-    Utilities::MPI::max(ArrayView<const double>(worst.data(), worst.size()),
-                        communicator,
-                        ArrayView<double>(worst.data(), worst.size()));
-    return {worst[0],
-            worst[1],
-            worst[2],
-            worst[3],
-            worst[4],
-            worst[5],
-            worst[6],
-            Utilities::MPI::sum(fallen_through, communicator)};
+    take_maxima_over_ranks(found, of_pairs, contact.get_communicator());
+    for (unsigned int p = 0; p < of_pairs.size(); ++p)
+      if (contact.contact_pairs()[p]->parameters.quadrature == "nodal")
+        {
+          const PairMaxima &maxima = of_pairs[p];
+          raise(found.normal_law,
+                relative(maxima.normal_error, maxima.pressure));
+          raise(found.friction_law,
+                relative(maxima.friction_error, maxima.threshold));
+        }
+    return found;
   }
 
 #define INSTANTIATE(dim)                                            \

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -128,13 +129,17 @@ namespace stickslip
           const LA::BlockVector      &x,
           const AcceptanceParameters &parameters)
   {
-    ContactAssembler<dim>  &contact = problem.contact();
-    const Liveness          live    = contact.live;
-    const SolveCounts       counts  = problem.counts;
-    const FrozenFrames<dim> frames(contact);
+    ContactAssembler<dim> &contact = problem.contact();
+    const Liveness         live    = contact.live;
+    const SolveCounts      counts  = problem.counts;
 
-    contact.live = Liveness();
-    problem.forget_state();
+    std::optional<FrozenFrames<dim>> frozen;
+    if (!(live.geometry && live.threshold && live.status))
+      {
+        frozen.emplace(contact);
+        contact.live = Liveness();
+        problem.forget_state();
+      }
     Acceptance found;
     found.residual = problem.residual(x);
     found.residual.prescribed /=
@@ -142,10 +147,13 @@ namespace stickslip
     found.violation = contact_violation(contact);
     found.complaint = complaint_about(found, parameters);
 
-    contact.live   = live;
     problem.counts = counts;
-    frames.restore();
-    problem.forget_state();
+    if (frozen)
+      {
+        contact.live = live;
+        frozen->restore();
+        problem.forget_state();
+      }
     return found;
   }
 
