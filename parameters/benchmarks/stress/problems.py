@@ -1,28 +1,36 @@
 """Small random contact problems. problem(seed) is the same on every machine.
 
 Each family is a function of a random generator and the dimension that returns
-a case as nested dictionaries, in the words of the .prm. All are solvable
-quasi-statically: whatever may lose contact is held by prescribed displacements
-or by springs. Lengths are near 1, moduli near 1 to 1000.
+a case as nested dictionaries, in the words of the .prm. All are meant to have a
+quasi-static solution: whatever may lose contact is held by prescribed
+displacements or by springs, no load can tip a block over, and laws that yield
+under strong compression are not used where corners dig in. Lengths are near 1,
+moduli near 1 to 1000.
 """
 import random
 
 MATERIALS = ("St Venant-Kirchhoff", "neo-Hookean", "neo-Hookean", "Hencky", "linear elastic")
+# Their cells can be squeezed to nothing by a finite pressure.
+WEAK_IN_COMPRESSION = ("St Venant-Kirchhoff", "linear elastic")
 
 
 class Case:
     """Bodies, materials, conditions and pairs of one problem."""
 
-    def __init__(self, rng, dim):
+    def __init__(self, rng, dim, digs_in=False):
         self.rng = rng
         self.dim = dim
+        self.digs_in = digs_in
         self.degree = rng.choice((1, 1, 1, 2)) if dim == 2 else 1
         self.bodies, self.materials, self.conditions, self.pairs = {}, {}, {}, {}
         self.end_time, self.initial_step, self.requested_times = 1.0, 0.1, []
 
     # ------------------------------------------------------------ ingredients
     def material(self, name, modulus, law=None):
-        self.materials[name] = {"Law": law or self.rng.choice(MATERIALS), "Young's modulus": modulus,
+        law = law or self.rng.choice(MATERIALS)
+        if self.digs_in and law in WEAK_IN_COMPRESSION:
+            law = "neo-Hookean"
+        self.materials[name] = {"Law": law, "Young's modulus": modulus,
                                 "Poisson's ratio": self.rng.choice((0.0, 0.2, 0.3, 0.4))}
 
     def plastic_material(self, name, modulus):
@@ -210,11 +218,16 @@ def initial_overlap(case):
 
 
 def held_by_springs(case):
-    """A block on weak springs is pressed and pushed by tractions, below or beyond the cone."""
+    """A block on soft springs is pressed and pushed by tractions, below or beyond the cone."""
     rng = case.rng
-    two_blocks(case)
-    case.spring("upper", 3, 0.05)
-    pressure, push = uniform(rng, 0.05, 0.3), uniform(rng, 0.1, 1.0)
+    start, width, length = two_blocks(case)
+    softness = min(1.0, case.materials["upper"]["Young's modulus"] / 10.0)
+    pressure, push = softness * uniform(rng, 0.05, 0.3), uniform(rng, 0.1, 1.0)
+    # Without friction the springs stop the block, 0.6 high, before pressure and
+    # push together act beyond the end of the lower one, with 0.15 to spare. Near
+    # that end the surface slopes, and up to a tenth of the pressure pushes, too.
+    longest_way = length - start - 0.5 * width - 0.6 * 0.3 * push - 0.15
+    case.spring("upper", 3, max(0.05, (0.3 * push + 0.1) * pressure / longest_way))
     case.conditions["weight"] = {"Body": "upper", "Boundary": 3, "Type": "pressure",
                                  "Value": f"{number(pressure)}*min(t/0.5, 1)"}
     case.conditions["push"] = {"Body": "upper", "Boundary": 3, "Type": "traction",
@@ -286,6 +299,7 @@ def plastic_dent(case):
         case.contact("upper", 2, "lower", 3)
 
 
+DIG_IN = (drop_off, sharp_corner, cylinder, rigid_waves)
 FAMILIES = (press_and_drag, drop_off, sharp_corner, cylinder, loss_and_regain, initial_overlap, held_by_springs, pile, tilt,
             rigid_waves, plastic_dent)
 
@@ -294,6 +308,6 @@ def problem(seed):
     """Title and .prm of a problem. Every family comes in turn, every fourth problem is in 3D."""
     rng = random.Random(seed)
     family = FAMILIES[seed % len(FAMILIES)]
-    case = Case(rng, 3 if (seed // len(FAMILIES)) % 4 == 3 else 2)
+    case = Case(rng, 3 if (seed // len(FAMILIES)) % 4 == 3 else 2, family in DIG_IN)
     family(case)
     return family.__name__, case.dim, case.prm(f"{family.__name__}, seed {seed}")
