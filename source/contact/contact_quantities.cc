@@ -1,3 +1,5 @@
+#include <stickslip/base/mixed_bits.h>
+
 #include <stickslip/contact/contact_quantities.h>
 
 #include <deal.II/base/mpi.h>
@@ -7,22 +9,6 @@
 
 namespace stickslip
 {
-  namespace
-  {
-    /// splitmix64 (Steele, Lea and Flood, OOPSLA 2014): a bijection whose
-    /// values look random.
-    std::uint64_t
-    scrambled(std::uint64_t value)
-    {
-      value += 0x9e3779b97f4a7c15;
-      value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9;
-      value = (value ^ (value >> 27)) * 0x94d049bb133111eb;
-      return value ^ (value >> 31);
-    }
-  } // namespace
-
-
-
   template <int dim>
   ContactGeometry<dim>::ContactGeometry(ContactAssembler<dim>  &contact,
                                         const ConfigureContact &configure)
@@ -248,7 +234,7 @@ namespace stickslip
         {
           ++seed;
           if (point.closed)
-            sum += scrambled(std::uint64_t(rank) << 32 | seed);
+            sum += mixed_bits(std::uint64_t(rank) << 32 | seed);
         }
     return Utilities::MPI::sum(sum, contact.get_communicator());
   }

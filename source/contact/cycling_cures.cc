@@ -71,6 +71,7 @@ namespace stickslip
         {
           point.cure.release();
           point.cure.n_treatments = 0;
+          point.cure.n_holds      = 0;
         }
   }
 
@@ -143,17 +144,16 @@ namespace stickslip
 
 
   template <int dim>
-  void
+  CycleTreatment
   CyclingCures<dim>::observe(const bool act)
   {
     statuses.record(contact);
     read_states();
     text.clear();
-    last_outcome                         = Outcome::no_cycle;
     const std::vector<PointCycle> cycles = statuses.cycling_points();
     if (!act || Utilities::MPI::max(cycles.empty() ? 0 : 1,
                                     contact.get_communicator()) == 0)
-      return;
+      return CycleTreatment::none;
 
     std::array<unsigned int, 2>             treated{}; // other r, held
     std::array<unsigned int, n_cycle_kinds> found{};
@@ -184,7 +184,6 @@ namespace stickslip
                         contact.get_communicator(),
                         ArrayView<unsigned int>(found.data(), found.size()));
     const bool is_cured = treated[0] + treated[1] > 0;
-    last_outcome        = is_cured ? Outcome::cured : Outcome::incurable;
     ++counts.cycles;
     counts.adapted_scales += treated[0];
     counts.held_statuses += treated[1];
@@ -199,6 +198,7 @@ namespace stickslip
     words << "): " << treated[0] << " get another r, " << treated[1]
           << " keep a status until the rest has converged";
     text = words.str();
+    return is_cured ? CycleTreatment::cured : CycleTreatment::incurable;
   }
 
 

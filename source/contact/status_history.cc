@@ -1,3 +1,5 @@
+#include <stickslip/base/mixed_bits.h>
+
 #include <stickslip/contact/status_history.h>
 
 #include <algorithm>
@@ -18,25 +20,12 @@ namespace stickslip
 
 
 
-    /// Spreads every bit of @p value over all bits (the finalizer of
-    /// splitmix64).
-    std::uint64_t
-    mix(std::uint64_t value)
-    {
-      value += 0x9e3779b97f4a7c15u;
-      value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9u;
-      value = (value ^ (value >> 27)) * 0x94d049bb133111ebu;
-      return value ^ (value >> 31);
-    }
-
-
-
     std::uint64_t
     hash_of(const FaceId &face, const std::uint64_t start)
     {
-      std::uint64_t hash = mix(start + face.face);
+      std::uint64_t hash = mixed_bits(start + face.face);
       for (const unsigned int word : face.cell)
-        hash = mix(hash ^ word);
+        hash = mixed_bits(hash ^ word);
       return hash;
     }
 
@@ -199,10 +188,10 @@ namespace stickslip
         points.emplace_back(pair.points.size());
         for (unsigned int i = 0; i < pair.points.size(); ++i)
           {
-            const auto &point = pair.points[i];
-            points[p][i].name_hash =
-              mix(hash_of(pair.slave_faces[point.slave_face].face.id, p) ^
-                  point.quadrature_index);
+            const auto &point      = pair.points[i];
+            points[p][i].name_hash = mixed_bits(
+              hash_of(pair.slave_faces[point.slave_face].face.id, p) ^
+              point.quadrature_index);
           }
       }
   }
@@ -245,7 +234,7 @@ namespace stickslip
           PointRecords &records = points[p][i];
           records.codes[slot] =
             encode(contact.contact_pairs()[p]->points[i], records);
-          hash ^= mix(records.name_hash ^ records.codes[slot]);
+          hash ^= mixed_bits(records.name_hash ^ records.codes[slot]);
         }
     const int error = MPI_Allreduce(&hash,
                                     &hashes[slot],

@@ -13,24 +13,6 @@ namespace stickslip
     /// `automatic` may take in a step before the next one is tried.
     constexpr unsigned int iterations_before_next = 10;
 
-
-
-    template <int dim>
-    CycleTreatment
-    treatment(const CyclingCures<dim> &cures)
-    {
-      using Outcome = typename CyclingCures<dim>::Outcome;
-      switch (cures.outcome())
-        {
-          case Outcome::cured:
-            return CycleTreatment::cured;
-          case Outcome::incurable:
-            return CycleTreatment::incurable;
-          case Outcome::no_cycle:
-            break;
-        }
-      return CycleTreatment::none;
-    }
   } // namespace
 
 
@@ -138,10 +120,10 @@ namespace stickslip
       log.newton_iteration(iteration, state);
     };
     newton.treat_cycle = [this](const bool stagnates) {
-      cures.observe(stagnates);
+      const CycleTreatment treatment = cures.observe(stagnates);
       if (!cures.description().empty())
         log.note(cures.description());
-      return treatment(cures);
+      return treatment;
     };
     newton.release_holds = [this]() { return cures.release(); };
 

@@ -44,7 +44,9 @@ namespace stickslip
       }
     catch (const NoConvergence &inner)
       {
-        if (++n_failures > loops[level].n_failures_outlived)
+        // a loop limit that is thrown is that of the whole step
+        if (inner.cause == FailureCause::loop_limit ||
+            ++n_failures > loops[level].n_failures_outlived)
           throw;
         failure = inner.what();
         return false;

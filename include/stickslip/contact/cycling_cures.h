@@ -1,6 +1,8 @@
 #ifndef stickslip_contact_cycling_cures_h
 #define stickslip_contact_cycling_cures_h
 
+#include <stickslip/base/cycle_treatment.h>
+
 #include <stickslip/contact/admissible_scale.h>
 #include <stickslip/contact/status_history.h>
 
@@ -62,24 +64,10 @@ namespace stickslip
 
     /// Records the last residual's statuses. With @p act the points of a proven
     /// cycle are treated.
-    void
+    CycleTreatment
     observe(const bool act);
 
-    /// What the last observe() saw or did.
-    enum class Outcome
-    {
-      no_cycle,
-      cured,
-      incurable
-    };
-
-    Outcome
-    outcome() const
-    {
-      return last_outcome;
-    }
-
-    /// In words, empty if there is nothing to say.
+    /// What the last observe() did, empty if there is nothing to say.
     const std::string &
     description() const
     {
@@ -110,7 +98,6 @@ namespace stickslip
     std::vector<std::vector<StatusState<dim>>>
       before; ///< [pair][point], last iterate
     std::vector<std::vector<StatusState<dim>>> now;
-    Outcome                                    last_outcome = Outcome::no_cycle;
     std::string                                text;
 
     void

@@ -1,6 +1,7 @@
 #ifndef stickslip_strategy_newton_solver_h
 #define stickslip_strategy_newton_solver_h
 
+#include <stickslip/base/cycle_treatment.h>
 #include <stickslip/base/no_convergence.h>
 #include <stickslip/base/types.h>
 
@@ -36,16 +37,6 @@ namespace stickslip
     double prescribed = 0.; ///< largest prescribed displacement not applied yet
     double increment = 0.; ///< relative increment of displacements, multipliers
     double step_length = 1.;
-  };
-
-
-
-  /// What was found and done about iterates that repeat themselves.
-  enum class CycleTreatment
-  {
-    none,     ///< no cycle
-    cured,    ///< the equations of some points are other ones now
-    incurable ///< a cycle, and nothing left to try
   };
 
 
