@@ -83,8 +83,12 @@ CASES = {
         "plate.prm", "set Degree = 1\nsubsection Contact\n subsection base\n set Quadrature = Gauss\n end\nend\nsubsection Algorithm\n set Name = GCP\nend",
         WRONG_INPUT, ["Contact/base/Quadrature", "Gauss", "GCP", "nodal"]),
     "unsupported regularization": (
-        "plate.prm", "subsection Contact\n subsection base\n subsection Regularization\n set r_t status = 3\n set r_t law = 1\n end\n end\nend",
+        "plate.prm", "subsection Contact\n subsection base\n set Quadrature = Gauss\n subsection Regularization\n set r_t status = 3\n set r_t law = 1\n end\n end\nend",
         WRONG_INPUT, ["r_t status", "r_t law"]),
+    "questionable regularization": (
+        "plate.prm", "subsection Contact\n subsection base\n subsection Regularization\n set r_t status = 3\n set r_t law = 1\n end\n end\nend\n"
+        "subsection Output\n set Verbosity = progress\nend",
+        0, ["Warning: 'Contact/base/Regularization/r_t status'"]),
     "body that nothing holds": ("unheld_block.prm", "", WRONG_INPUT, ["'block'", "translation along x"]),
     "output directory is a file": ("plate.prm", "subsection Output\n set Directory = case.prm\nend", WRONG_INPUT, ["Output/Directory", "case.prm"]),
     "unknown quantity in a check": (

@@ -64,13 +64,12 @@ namespace stickslip
   void
   ContactAssembler<dim>::configure(const LA::Vector &u,
                                    const LA::Vector &u_old,
-                                   const LA::Vector &multiplier_values,
-                                   const double      time)
+                                   const LA::Vector &multiplier_values)
   {
     lambda = multiplier_values;
     for (const auto &pair : pairs)
       {
-        pair->update_configuration(u, u_old, time);
+        pair->update_configuration(u, u_old);
         if (live.geometry)
           for (auto &point : pair->points)
             point.set_frame(pair->find_frame(point));

@@ -8,6 +8,9 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
 
 namespace stickslip
 {
@@ -21,6 +24,17 @@ namespace stickslip
 
 
 
+    /// Smallest modulus of the cells behind @p faces.
+    template <typename Faces>
+    double
+    softest(const Faces                                           &faces,
+            const std::function<double(const types::material_id)> &modulus)
+    {
+      double smallest = std::numeric_limits<double>::infinity();
+      for (const auto &face : faces)
+        smallest = std::min(smallest, modulus(face.cell->material_id()));
+      return smallest;
+    }
   } // namespace
 
 
@@ -75,12 +89,15 @@ namespace stickslip
         }
     largest_slave_diameter =
       Utilities::MPI::max(largest_slave_diameter, communicator);
-    margin = 0.5 * largest_slave_diameter;
-    patch  = std::make_unique<MasterPatch<dim>>(owned_masters,
+    softest_modulus = Utilities::MPI::min(std::min(softest(slaves, modulus),
+                                                   softest(masters, modulus)),
+                                          communicator);
+    margin          = 0.5 * largest_slave_diameter;
+    patch           = std::make_unique<MasterPatch<dim>>(owned_masters,
                                                displacement_shape,
                                                parameters.search_distance > 0.
-                                                  ? parameters.search_distance
-                                                  : 4. * largest_slave_diameter,
+                                                           ? parameters.search_distance
+                                                           : 4. * largest_slave_diameter,
                                                parameters.projection_tolerance,
                                                parameters.facet_overlap,
                                                communicator);
@@ -207,12 +224,27 @@ namespace stickslip
 
   template <int dim>
   void
-  ContactPair<dim>::update_configuration(const LA::Vector &u,
-                                         const LA::Vector &u_old,
-                                         const double      time)
+  ContactPair<dim>::update_gap_offsets(const double time)
   {
+    std::ostringstream error;
     for (auto &point : points)
-      point.gap_offset = gap_offset_at(point, time);
+      {
+        point.gap_offset =
+          gap_offset.value(Point<dim>(point.reference_position), time);
+        if (error.str().empty() && !std::isfinite(point.gap_offset))
+          error << "'" << path_of(name) << "/Gap offset' is not a number at ("
+                << point.reference_position << "), time " << time << ".";
+      }
+    throw_collectively(error.str(), communicator);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::update_configuration(const LA::Vector &u,
+                                         const LA::Vector &u_old)
+  {
     for (unsigned int f = 0; f < slave_faces.size(); ++f)
       {
         const SurfaceFace<dim> &face = slave_faces[f].face;

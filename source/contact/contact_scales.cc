@@ -1,7 +1,6 @@
 #include <stickslip/contact/contact_scales.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <string>
@@ -34,21 +33,30 @@ namespace stickslip
 
 
 
-    /// A role's own number, or the common one.
-    double
-    role_value(const std::string &text, const double common)
+    /// What the factors of a point multiply.
+    struct ScaleUnits
     {
-      return text == "r_n" || text == "r_t" ? common
-                                            : Utilities::string_to_double(text);
-    }
+      double n = 1.; ///< [stress/length]
+      double t = 1.; ///< [1/length]
+    };
 
 
 
-    double
-    common_value(const std::string &text, const double automatic)
+    template <int dim>
+    ScaleUnits
+    units_of(const ContactPair<dim> &pair, const Regularization &r)
     {
-      return text == "automatic" ? automatic
-                                 : Utilities::string_to_double(text);
+      const std::string &scale = pair.parameters.regularization.scale;
+      if (scale == "automatic")
+        return {r.natural_r_n, r.natural_r_t};
+      if (scale == "plain")
+        return {};
+      const double mu = pair.parameters.friction == "Tresca"
+                          ? 1.
+                          : pair.parameters.friction_coefficient;
+      // frictionless: r_t is not used, but it is divided by
+      return {100. * pair.softest_modulus,
+              10. * (mu > 0. ? mu : 1.) * pair.softest_modulus};
     }
   } // namespace
 
@@ -74,13 +82,9 @@ namespace stickslip
   {
     for (const auto &pair : contact.contact_pairs())
       {
-        const ContactPairParameters    &parameters = pair->parameters;
-        const RegularizationParameters &given      = parameters.regularization;
-        const bool                      automatic  = given.scale == "automatic";
-        const double                    r_n =
-          common_value(given.r_n, parameters.quadrature == "nodal" ? 1. : 0.01);
-        const double r_t =
-          common_value(given.r_t, automatic_r_t(parameters.quadrature));
+        const ContactPairParameters &parameters = pair->parameters;
+        const RegularizationFactors  factor =
+          parameters.regularization.factors(parameters.quadrature);
 
         std::vector<double> thresholds;
         double              largest = 0.;
@@ -112,22 +116,20 @@ namespace stickslip
             if (s == 0.)
               s = std::max(parameters.friction_coefficient, 1e-3) *
                   expected_strain * k * height;
-            Regularization &r   = point.regularization;
-            r.natural_r_n       = k;
-            r.natural_r_t       = k / s;
-            const double unit_n = point.cure.r_n_factor * (automatic ? k : 1.);
-            const double unit_t =
-              point.cure.r_t_factor * (automatic ? r.natural_r_t : 1.);
-            r.r_n_status = unit_n * role_value(given.r_n_status, r_n);
-            r.r_n_augmentation =
-              unit_n * role_value(given.r_n_augmentation, r_n);
-            r.r_n_law    = unit_n * role_value(given.r_n_law, r_n);
-            r.r_t_status = unit_t * role_value(given.r_t_status, r_t);
-            r.r_t_augmentation =
-              unit_t * role_value(given.r_t_augmentation, r_t);
-            r.r_t_law           = unit_t * role_value(given.r_t_law, r_t);
-            r.threshold_scale   = s;
-            r.initial_stiffness = 0.;
+            Regularization &r      = point.regularization;
+            r.natural_r_n          = k;
+            r.natural_r_t          = k / s;
+            const ScaleUnits units = units_of(*pair, r);
+            const double     n     = point.cure.r_n_factor * units.n;
+            const double     t     = point.cure.r_t_factor * units.t;
+            r.r_n_status           = n * factor.r_n_status;
+            r.r_n_augmentation     = n * factor.r_n_augmentation;
+            r.r_n_law              = n * factor.r_n_law;
+            r.r_t_status           = t * factor.r_t_status;
+            r.r_t_augmentation     = t * factor.r_t_augmentation;
+            r.r_t_law              = t * factor.r_t_law;
+            r.threshold_scale      = s;
+            r.initial_stiffness    = 0.;
             if (parameters.has_friction() && largest == 0.)
               r.initial_stiffness = k * (pair->has_to_hold ? 1. : weak_stick);
             r.open_scale = open_row_factor * s / r.r_t_law;

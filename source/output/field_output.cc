@@ -64,7 +64,7 @@ namespace stickslip
       {
         std::vector<Range> ranges = DataOut<dim>::get_nonscalar_data_ranges();
         const std::vector<std::string> names = this->get_dataset_names();
-        for (const std::string &tensor : {"cauchy_stress", "strain"})
+        for (const char *tensor : {"cauchy_stress", "strain"})
           {
             const auto first = std::find(names.begin(), names.end(), tensor);
             const unsigned int i = first - names.begin();

@@ -2,9 +2,7 @@
 
 #include <stickslip/problem/contact_pairs.h>
 
-#include <cmath>
 #include <set>
-#include <sstream>
 
 namespace stickslip
 {
@@ -55,33 +53,12 @@ namespace stickslip
     return pairs;
   }
 
-  template <int dim>
-  void
-  check_gap_offsets(const std::vector<std::unique_ptr<ContactPair<dim>>> &pairs,
-                    const double                                          time,
-                    const MPI_Comm &communicator)
-  {
-    std::ostringstream error;
-    for (const auto &pair : pairs)
-      for (const auto &point : pair->points)
-        if (error.str().empty() &&
-            !std::isfinite(pair->gap_offset_at(point, time)))
-          error << "'Contact/" << pair->name
-                << "/Gap offset' is not a number at ("
-                << point.reference_position << "), time " << time << ".";
-    throw_collectively(error.str(), communicator);
-  }
-
 #define INSTANTIATE(dim)                                                      \
   template std::vector<std::unique_ptr<ContactPair<dim>>> make_contact_pairs( \
     const NamedList<ContactPairParameters> &,                                 \
     const Bodies &,                                                           \
     const DofLayout<dim> &,                                                   \
     const std::function<double(const types::material_id)> &,                  \
-    const MPI_Comm &);                                                        \
-  template void check_gap_offsets(                                            \
-    const std::vector<std::unique_ptr<ContactPair<dim>>> &,                   \
-    const double,                                                             \
     const MPI_Comm &);
   INSTANTIATE(2)
   INSTANTIATE(3)

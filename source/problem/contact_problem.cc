@@ -168,7 +168,7 @@ namespace stickslip
         u = x.block(0);
       }
     lambda = x.block(1);
-    contact_assembler->configure(u, u_old, lambda, time);
+    contact_assembler->configure(u, u_old, lambda);
     if (contact_assembler->live.geometry)
       ++counts.pairings;
     is_configured        = true;
@@ -188,7 +188,8 @@ namespace stickslip
     time  = new_time;
     x_old = accepted;
     forget_state();
-    check_gap_offsets(contact_assembler->contact_pairs(), time, communicator);
+    for (const auto &pair : contact_assembler->contact_pairs())
+      pair->update_gap_offsets(time);
     if (u_old.size() > 0)
       u_old = x_old.block(0);
   }

@@ -6,8 +6,17 @@ namespace stickslip
     const NamedList<ContactPairParameters> &pairs)
     : is_paired(pairs.size(), true)
   {
-    for (const auto &pair : pairs)
-      names.push_back(pair.first);
+    for (const auto &[name, pair] : pairs)
+      {
+        names.push_back(name);
+        if (pair.has_friction() &&
+            pair.regularization.factors(pair.quadrature).status_over_law() > 2.)
+          about_parameters.push_back(
+            "'Contact/" + name +
+            "/Regularization/r_t status' is more than twice 'r_t law': points "
+            "that slip against their traction satisfy the discrete equations. "
+            "A step that converges to such a state will be rejected.");
+      }
   }
 
 

@@ -63,6 +63,8 @@ namespace stickslip
   Simulation<dim>::run(const std::string &restart_from)
   {
     log.open(!restart_from.empty());
+    for (const std::string &text : warnings.of_parameters())
+      warn(text);
     if (!restart_from.empty())
       resume(restart_from);
     else if (Utilities::MPI::this_mpi_process(communicator) == 0)

@@ -58,8 +58,7 @@ namespace stickslip
     void
     configure(const LA::Vector &u,
               const LA::Vector &u_old,
-              const LA::Vector &lambda,
-              const double      time);
+              const LA::Vector &lambda);
 
     /// Adds, condensed with @p geometric, the contact forces to block 0 and the contact rows to block 1 of
     /// @p residual; @p row_scale collects the size that a contact row has for

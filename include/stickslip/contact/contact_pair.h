@@ -62,19 +62,15 @@ namespace stickslip
     bool
     update_patch(const LA::Vector &u, const bool force);
 
-    /// Positions of both sides from ghosted displacements, now and at the
-    /// start of the step, and the gap offset at @p time.
+    /// Evaluates what the user adds to the gap at @p time. Throws UserError
+    /// (same on all ranks) if that is not a number somewhere. Collective.
     void
-    update_configuration(const LA::Vector &u,
-                         const LA::Vector &u_old,
-                         const double      time);
+    update_gap_offsets(const double time);
 
-    /// What the user adds to the gap of a point at @p time.
-    double
-    gap_offset_at(const ContactPoint<dim> &point, const double time) const
-    {
-      return gap_offset.value(Point<dim>(point.reference_position), time);
-    }
+    /// Positions of both sides from ghosted displacements, now and at the
+    /// start of the step.
+    void
+    update_configuration(const LA::Vector &u, const LA::Vector &u_old);
 
     /// Pairing and frame of a point in the present configuration.
     ContactFrame<dim>
@@ -96,6 +92,7 @@ namespace stickslip
     std::vector<ContactPoint<dim>>    points;
     std::unique_ptr<MasterPatch<dim>> patch;
     double largest_slave_diameter = 0.;    ///< over ranks
+    double softest_modulus        = 0.;    ///< of both sides, over ranks
     bool   has_to_hold            = false; ///< a body that nothing else holds
 
     /// Current and old positions of the nodes of an owned slave face.

@@ -10,19 +10,30 @@ namespace stickslip
 {
   using namespace dealii;
 
-  /// Dimensionless r_t where the user gives none. Nodal quadrature: GNM takes
-  /// the fewest iterations with 1 to 2 where surfaces slide, and cuts steps
-  /// with 0.25 and 0.5. Other rules: smaller, because the answer drifts with
-  /// it.
-  inline double
-  automatic_r_t(const std::string &quadrature)
+  /// The six regularization parameters as numbers, in units of their scale.
+  struct RegularizationFactors
   {
-    return quadrature == "nodal" ? 1. : 0.25;
-  }
+    double r_n_status       = 1.;
+    double r_n_augmentation = 1.;
+    double r_n_law          = 1.;
+    double r_t_status       = 1.;
+    double r_t_augmentation = 1.;
+    double r_t_law          = 1.;
+
+    /// Above 2, points that slip against their traction satisfy the discrete
+    /// equations (formulation 3.3).
+    double
+    status_over_law() const
+    {
+      return r_t_status / r_t_law;
+    }
+  };
+
+
 
   /**
-   * The six regularization parameters (formulation 3.3), as factors of the
-   * automatic scales or as plain numbers with units.
+   * The six regularization parameters (formulation 3.3): factors of the
+   * automatic scales or of the paper's bounds, or plain numbers with units.
    */
   struct RegularizationParameters
   {
@@ -39,9 +50,12 @@ namespace stickslip
     void
     add_parameters(ParameterHandler &prm);
 
-    /// @p automatic_r_t is what `r_t = automatic` means here.
+    /// With the meaning that `automatic` has for the rule @p quadrature.
+    RegularizationFactors
+    factors(const std::string &quadrature) const;
+
     void
-    check(const std::string &path, const double automatic_r_t) const;
+    check(const std::string &path, const std::string &quadrature) const;
   };
 
 

@@ -26,7 +26,7 @@ namespace stickslip
     std::optional<bool> held_closed; ///< S_c until the residual has converged
     std::optional<bool> held_stick;  ///< S_f
     unsigned int        n_treatments = 0; ///< in the present solve
-    unsigned int        n_holds      = 0;
+    unsigned int        n_holds      = 0; ///< likewise
 
     /// Frees the statuses. True if one was held.
     bool
@@ -60,7 +60,7 @@ namespace stickslip
     unsigned int   quadrature_index = 0;
     double         weight = 0.; ///< quadrature weight x reference area
     Tensor<1, dim> reference_position;
-    double         gap_offset = 0.;
+    double         gap_offset = 0.; ///< of this step
     /// Derivative of the slave shape functions along the first reference
     /// tangent: carries the tangent basis (3D).
     std::vector<double> direction_gradients;

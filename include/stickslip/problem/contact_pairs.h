@@ -29,14 +29,6 @@ namespace stickslip
     const DofLayout<dim>                                  &dofs,
     const std::function<double(const types::material_id)> &modulus,
     const MPI_Comm                                        &communicator);
-
-  /// Throws UserError (on all ranks) if a gap offset is not a number at time
-  /// @p time. Collective.
-  template <int dim>
-  void
-  check_gap_offsets(const std::vector<std::unique_ptr<ContactPair<dim>>> &pairs,
-                    const double                                          time,
-                    const MPI_Comm &communicator);
 } // namespace stickslip
 
 #endif

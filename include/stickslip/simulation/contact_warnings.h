@@ -12,11 +12,19 @@
 
 namespace stickslip
 {
-  /// Looks for accepted steps that are probably not what the user wants.
+  /// Looks for parameters and accepted steps that are probably not what the
+  /// user wants.
   class ContactWarnings
   {
   public:
     explicit ContactWarnings(const NamedList<ContactPairParameters> &pairs);
+
+    /// Texts about questionable parameters.
+    const std::vector<std::string> &
+    of_parameters() const
+    {
+      return about_parameters;
+    }
 
     /// Texts about the step with these resultants, one per pair. A pair is
     /// reported when it gets into a strange state, not while it stays there.
@@ -26,6 +34,7 @@ namespace stickslip
 
   private:
     std::vector<std::string> names;
+    std::vector<std::string> about_parameters;
     std::vector<bool>        is_paired; ///< any point, at the last step
   };
 } // namespace stickslip
