@@ -7,12 +7,11 @@ Checked: exit code 2; the last three lines of message and log; the diagnosis of
 all contact points on one and two ranks; what --diagnose says of failed and
 completed runs; that a later success removes nothing and a new run everything.
 """
-import csv
 import os
 import pathlib
-import shutil
-import subprocess
 import sys
+
+from program_runs import fresh_directory, rows_of, settings, start
 
 CASE = """
 set Dimension = 2
@@ -85,18 +84,9 @@ def check(what, holds):
 
 
 def run(directory, overrides=(), ranks=1, arguments=None):
-    # mpirun would have the last word about a failure: alone if one rank is enough
-    command = [program] if ranks == 1 else ["mpirun", "--oversubscribe", "-np", str(ranks), program]
     if arguments is None:
-        arguments = ["case.prm", "--output-directory", directory, "--quiet"]
-        for parameter, value in dict(overrides).items():
-            arguments += ["--set", f"{parameter}={value}"]
-    return subprocess.run(command + arguments, capture_output=True, text=True)
-
-
-def rows_of(path):
-    with open(path, newline="") as file:
-        return list(csv.DictReader(file))
+        arguments = ["case.prm", "--output-directory", directory, "--quiet", *settings(overrides)]
+    return start(program, arguments, ranks)
 
 
 def numbers_agree(a, b):
@@ -110,11 +100,8 @@ def last_lines(text):
     return [line.split(":", 1) for line in text.rstrip().split("\n")[-3:]]
 
 
-program = sys.argv[1]
-work = pathlib.Path(sys.argv[2])
-shutil.rmtree(work, ignore_errors=True)
-work.mkdir(parents=True)
-os.chdir(work)
+program = os.path.abspath(sys.argv[1])
+os.chdir(fresh_directory(sys.argv[2]))
 pathlib.Path("case.prm").write_text(CASE)
 
 for name, (cause, place, advice, overrides) in FAILING.items():

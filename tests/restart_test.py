@@ -9,13 +9,14 @@ number of the checkpoint at the end (nodal values, multipliers, slip, pairing);
 on the same number of ranks also the Newton iterations, which show that the
 multipliers to start from are right.
 """
-import csv
 import pathlib
 import re
 import shutil
 import struct
 import subprocess
 import sys
+
+from program_runs import fresh_directory, rows_of
 
 CASE = """
 set Dimension = 2
@@ -119,9 +120,7 @@ def check(holds, what):
 class Runs:
     def __init__(self, program, directory):
         self.program = program
-        self.directory = directory
-        shutil.rmtree(directory, ignore_errors=True)
-        directory.mkdir(parents=True)
+        self.directory = fresh_directory(directory)
         (directory / "case.prm").write_text(CASE)
 
     def run(self, name, n_ranks=1, restart=None, options=(), exit_code=0):
@@ -146,7 +145,7 @@ def differences_of_tables(a, b):
     """Names of the columns that differ in any row."""
     result = []
     for name, columns in TABLES.items():
-        tables = [list(csv.DictReader(open(d / name))) for d in (a, b)]
+        tables = [rows_of(d / name) for d in (a, b)]
         if not tables[0] or len(tables[0]) != len(tables[1]) or tables[0][0].keys() != tables[1][0].keys():
             result.append(f"{name}: rows or columns")
             continue
@@ -218,7 +217,7 @@ def test_partitions(runs):
     names = {path.name for path in (runs.directory / "from-half-4-metis-on-2").glob("checkpoint-?/cells.*")}
     check(names == {"cells.0", "cells.1"}, f"no files of further ranks are left: {sorted(names)}")
     runs.run("elsewhere", 2, "half-2")
-    check(len(list(csv.DictReader(open(runs.directory / "elsewhere/points.csv")))) == 3,
+    check(len(rows_of(runs.directory / "elsewhere/points.csv")) == 3,
           "a run that continues another directory's begins its own tables")
     check(not differences_of_checkpoints(runs.directory / "uninterrupted", runs.directory / "elsewhere"),
           "... and ends in the same state")
@@ -232,7 +231,7 @@ def test_algorithms(runs):
         runs.run(half, 1, options=options + ["Load stepping/End time=3"])
         runs.run(half, 1, "latest", options)
         compare(runs, half, algorithm)
-        iterations = [[row["newton_iterations"] for row in csv.DictReader(open(runs.directory / d / "statistics.csv"))]
+        iterations = [[row["newton_iterations"] for row in rows_of(runs.directory / d / "statistics.csv")]
                       for d in (algorithm, half)]
         check(iterations[0] == iterations[1], f"{half} takes the Newton iterations of {algorithm}: {iterations}")
 

@@ -8,12 +8,11 @@ and in 3D. Forces of supports, contact forces and contact points have to agree,
 on one and on two ranks. Beside them: continuing with another parameter, and
 the surfaces of an Abaqus file.
 """
-import csv
 import os
 import pathlib
-import shutil
-import subprocess
 import sys
+
+from program_runs import fresh_directory, rows_of, settings, start
 
 CASE = """
 set Dimension = 2
@@ -120,25 +119,15 @@ def close(a, b, scale):
 
 
 def run(*arguments, ranks=1):
-    command = [program] if ranks == 1 else ["mpirun", "--oversubscribe", "-np", str(ranks), program]
-    return subprocess.run(command + list(arguments), capture_output=True, text=True)
-
-
-def settings(overrides):
-    return [word for name, value in overrides.items() for word in ("--set", f"{name}={value}")]
-
-
-def read(path):
-    with open(path, newline="") as file:
-        return list(csv.DictReader(file))
+    return start(program, arguments, ranks)
 
 
 def check_forces(directory, dim):
     """Supports, loads and contact are in equilibrium at every step."""
     axes = "xyz"[:dim]
-    resultants = {row["step"]: row for row in read(f"{directory}/resultants.csv")}
+    resultants = {row["step"]: row for row in rows_of(f"{directory}/resultants.csv")}
     unpaired = 0
-    for row in read(f"{directory}/reactions.csv"):
+    for row in rows_of(f"{directory}/reactions.csv"):
         step = f"{directory}, step {row['step']}"
         forces = {key: float(value) for key, value in row.items() if ".force_" in key}
         scale = max(map(abs, forces.values()))
@@ -150,7 +139,7 @@ def check_forces(directory, dim):
             check(f"{step}: contact on the lower body, {axis}", close(supports, contact, scale))
         check(f"{step}: a symmetry plane carries normal forces only", close(forces["side.force_y"], 0, scale))
         unpaired += float(resultants[row["step"]]["interface.unpaired_points"])
-        points = read(f"{directory}/contact_points-{int(row['step']):04}.csv")
+        points = rows_of(f"{directory}/contact_points-{int(row['step']):04}.csv")
         for axis in axes:
             total = sum(float(p["reference_weight"]) * (float(p["pressure"]) * float(p[f"normal_{axis}"]) +
                         float(p[f"tangential_traction_{axis}"])) for p in points)
@@ -161,16 +150,13 @@ def check_forces(directory, dim):
 
 def check_same_tables(one, other):
     for name in ("reactions.csv", "resultants.csv", "contact_points-0010.csv"):
-        a, b = read(f"{one}/{name}"), read(f"{other}/{name}")
+        a, b = rows_of(f"{one}/{name}"), rows_of(f"{other}/{name}")
         check(f"{name} of {one} and {other}", len(a) == len(b) and all(
             abs(float(x[key]) - float(y[key])) <= 1e-6 * (1 + abs(float(x[key]))) for x, y in zip(a, b) for key in x))
 
 
-program = sys.argv[1]
-work = pathlib.Path(sys.argv[2])
-shutil.rmtree(work, ignore_errors=True)
-work.mkdir(parents=True)
-os.chdir(work)
+program = os.path.abspath(sys.argv[1])
+os.chdir(fresh_directory(sys.argv[2]))
 pathlib.Path("case.prm").write_text(CASE)
 
 for dim, overrides in ((2, {}), (3, IN_3D)):
@@ -192,7 +178,7 @@ log = pathlib.Path("2D_1/convergence.log").read_text()
 check(f"restart with another mu: exit code {result.returncode}\n{result.stderr}", result.returncode == 0)
 check("restart with another mu is said", "'Contact/interface/Friction coefficient' was 0.3 and is 0.4" in log)
 check("100 is 1e2", "Young's modulus" not in log)
-check("the reactions go on", len(read("2D_1/reactions.csv")) > 10)
+check("the reactions go on", len(rows_of("2D_1/reactions.csv")) > 10)
 
 # Surfaces of an Abaqus file: top gets 1, the left side 3, because 2 is there.
 pathlib.Path("square.inp").write_text(ABAQUS)

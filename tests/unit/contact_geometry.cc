@@ -103,7 +103,7 @@ namespace
         if (face.cell->is_locally_owned())
           owned.push_back(face.face);
       patch = std::make_unique<MasterPatch<dim>>(
-        owned, shape, 0.6, 0.05, 0.01, MPI_COMM_WORLD);
+        owned, shape, PairingTolerances{0.6, 0.05, 0.01, 0.5}, MPI_COMM_WORLD);
     }
 
     Tensor<1, dim>
