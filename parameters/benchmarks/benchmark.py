@@ -91,12 +91,17 @@ class Result:
 
 
 class Benchmark:
-    def __init__(self, name, description=""):
-        """Reads the command line: --quick, --ranks N, --keep."""
+    def __init__(self, name, description="", options=None):
+        """
+        Reads the command line: --quick, --ranks N, --keep and OPTIONS of the
+        benchmark's own, {"--name": arguments of argparse}.
+        """
         parser = argparse.ArgumentParser(prog=f"scripts/bench {name}", description=description)
         parser.add_argument("--quick", action="store_true", help="a smaller version, for continuous integration")
         parser.add_argument("--ranks", type=int, default=2, help="MPI ranks of each run (2)")
         parser.add_argument("--keep", action="store_true", help="reuse runs that an earlier call has finished")
+        for option, arguments in (options or {}).items():
+            parser.add_argument(option, **arguments)
         self.options = parser.parse_args()
         self.name = name
         self.quick = self.options.quick
