@@ -93,13 +93,15 @@ namespace stickslip
                                                    softest(masters, modulus)),
                                           communicator);
     margin          = 0.5 * largest_slave_diameter;
-    patch           = std::make_unique<MasterPatch<dim>>(owned_masters,
+    const PairingTolerances tolerances{parameters.search_distance > 0.
+                                         ? parameters.search_distance
+                                         : 4. * largest_slave_diameter,
+                                       parameters.projection_tolerance,
+                                       parameters.facet_overlap,
+                                       parameters.end_overlap};
+    patch = std::make_unique<MasterPatch<dim>>(owned_masters,
                                                displacement_shape,
-                                               parameters.search_distance > 0.
-                                                           ? parameters.search_distance
-                                                           : 4. * largest_slave_diameter,
-                                               parameters.projection_tolerance,
-                                               parameters.facet_overlap,
+                                               tolerances,
                                                communicator);
 
     excluded = excluded_slave_nodes(slave_faces,

@@ -238,8 +238,16 @@ namespace stickslip
       "A point that has changed its master facet six times in a load step "
       "keeps it until its projection is this fraction of the facet outside (10 "
       "times as much after twelve changes, 50 times after eighteen, 0.5 at "
-      "most): points at a kink between facets then do not hop for ever.",
+      "most): points at a kink between facets then do not hop for ever. 0: "
+      "never.",
       Patterns::Double(0., 0.2));
+    prm.add_parameter(
+      "End overlap",
+      end_overlap,
+      "A point at the end of the master surface that has lost and found its "
+      "partner four times in a load step keeps it until it is this fraction of "
+      "the face beyond the end. 0: never.",
+      Patterns::Double(0., 2.));
     prm.add_parameter("Gap offset",
                       gap_offset,
                       "Function of x, y, z, t added to the gap [length]: a "

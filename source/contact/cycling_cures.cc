@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace stickslip
 {
@@ -57,6 +58,16 @@ namespace stickslip
     : parameters(parameters)
     , contact(contact)
   {}
+
+
+
+  template <int dim>
+  void
+  CyclingCures<dim>::begin_step()
+  {
+    may_forget_facets = true;
+    has_forgotten     = false;
+  }
 
 
 
@@ -207,14 +218,34 @@ namespace stickslip
   bool
   CyclingCures<dim>::release()
   {
-    bool any = false;
+    std::array<int, 2> any{}; // statuses, facets
     for (const auto &pair : contact.contact_pairs())
       for (auto &point : pair->points)
-        any = point.cure.release() || any;
-    any = Utilities::MPI::max(any ? 1 : 0, contact.get_communicator()) > 0;
-    if (any)
-      statuses.forget_records();
-    return any;
+        {
+          if (point.cure.release())
+            any[0] = 1;
+          if (may_forget_facets && contact.live.geometry &&
+              point.forget_facets())
+            any[1] = 1;
+        }
+    Utilities::MPI::max(ArrayView<const int>(any.data(), any.size()),
+                        contact.get_communicator(),
+                        ArrayView<int>(any.data(), any.size()));
+    has_forgotten = has_forgotten || any[1] > 0;
+    if (any[0] + any[1] == 0)
+      return false;
+    statuses.forget_records();
+    return true;
+  }
+
+
+
+  template <int dim>
+  bool
+  CyclingCures<dim>::keep_facets()
+  {
+    may_forget_facets = false;
+    return std::exchange(has_forgotten, false);
   }
 
 

@@ -18,9 +18,7 @@ namespace stickslip
 
 
 
-    /// How far beyond the end a clinging point keeps its partner, and the most
-    /// that a facet is extended (both as a fraction of the face).
-    constexpr double clinging_length = 0.5;
+    /// The most that a facet is extended, as a fraction of the face.
     constexpr double largest_overlap = 0.5;
 
     /// Boxes that each rank announces: enough to follow a bent surface.
@@ -132,15 +130,11 @@ namespace stickslip
   template <int dim>
   MasterPatch<dim>::MasterPatch(std::vector<SurfaceFace<dim>> owned_faces,
                                 const FaceShape<dim>         &shape,
-                                const double                  search_distance,
-                                const double    projection_tolerance,
-                                const double    facet_overlap,
-                                const MPI_Comm &communicator)
+                                const PairingTolerances      &tolerances,
+                                const MPI_Comm               &communicator)
     : owned(std::move(owned_faces))
     , shape(shape)
-    , search_distance(search_distance)
-    , projection_tolerance(projection_tolerance)
-    , facet_overlap(facet_overlap)
+    , tolerances(tolerances)
     , communicator(communicator)
   {}
 
@@ -155,7 +149,7 @@ namespace stickslip
     std::vector<BoundingBox<dim>> announced =
       summarize(slave_boxes, n_announced_boxes);
     for (auto &box : announced)
-      box = enlarged(box, search_distance + margin);
+      box = enlarged(box, tolerances.search_distance + margin);
     const auto all = Utilities::MPI::all_gather(communicator, announced);
 
     std::vector<Box>            boxes;
@@ -268,7 +262,7 @@ namespace stickslip
                   boost::geometry::index::nearest(x, at_most)))
       {
         const double distance = boost::geometry::distance(x, hit.first);
-        if (distance <= search_distance)
+        if (distance <= tolerances.search_distance)
           result.emplace_back(distance, hit.second);
       }
     std::sort(result.begin(), result.end());
@@ -302,11 +296,12 @@ namespace stickslip
                 faces[f], current[f], shape, x_s, inside_tolerance);
         // Over a convex edge the overshoot shrinks with the gap; beyond the end
         // of the surface it does not.
-        const double allowed =
-          (projection_tolerance + (memory.clings ? clinging_length : 0.)) *
-            faces[f].diameter +
-          0.8 * projection.distance;
-        if (!projection.found || projection.distance > search_distance ||
+        const double allowed = (tolerances.projection_tolerance +
+                                (memory.clings ? tolerances.end_overlap : 0.)) *
+                                 faces[f].diameter +
+                               0.8 * projection.distance;
+        if (!projection.found ||
+            projection.distance > tolerances.search_distance ||
             projection.overshoot > allowed)
           continue;
         const bool is_nearer = projection.distance < distance - tie;
@@ -348,10 +343,13 @@ namespace stickslip
                           current[f],
                           shape,
                           x_s,
-                          std::clamp(memory.overlap_factor * facet_overlap,
+                          std::clamp(memory.overlap_factor *
+                                       tolerances.facet_overlap,
                                      inside_tolerance,
                                      largest_overlap));
-        if (projection.found && projection.distance < 0.25 * faces[f].diameter)
+        // far away another face may be the nearer one, but not for ever
+        const double near = memory.overlap_factor > 0. ? 1. : 0.25;
+        if (projection.found && projection.distance < near * faces[f].diameter)
           {
             MasterPoint<dim> point;
             evaluate_master_point(

@@ -9,7 +9,7 @@ namespace stickslip
   {
     /// "sslipchk" as a number: a file of another byte order does not have it.
     constexpr std::uint64_t cell_record_magic  = 0x7373'6c69'7063'686bull;
-    constexpr std::uint64_t cell_record_format = 1;
+    constexpr std::uint64_t cell_record_format = 2;
 
     /// magic, format, identity
     constexpr unsigned int n_head_words = 3;

@@ -166,6 +166,8 @@ namespace stickslip
         cursor(frame.xi[d]);
         cursor(frame.free[d]);
       }
+    cursor(point.accepted_facet_changes);
+    cursor(point.was_clinging);
   }
 
 

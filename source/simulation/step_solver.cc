@@ -46,6 +46,7 @@ namespace stickslip
     problem.configure(accepted, true);
     note_partners(problem.contact());
     ladder.begin_step();
+    cures.begin_step();
     LA::BlockVector guess(x);
     while (true)
       try
@@ -81,10 +82,13 @@ namespace stickslip
       }
     catch (const NoConvergence &failure)
       {
-        if (!cures.use_natural_scales())
+        const bool other_scales = cures.use_natural_scales();
+        const bool other_facets = cures.keep_facets();
+        if (!other_scales && !other_facets)
           throw;
         log.note(algorithm + " failed: " + failure.what() +
-                 "\ntrying r at the stiffness of the contact");
+                 (other_scales ? "\ntrying r at the stiffness of the contact"
+                               : "\ntrying with facets that are kept"));
         problem.restore();
         x = guess;
         attempt(algorithm, x);
@@ -125,7 +129,12 @@ namespace stickslip
         log.note(cures.description());
       return treatment;
     };
-    newton.release_holds = [this]() { return cures.release(); };
+    newton.release_holds = [this]() {
+      if (!cures.release())
+        return false;
+      problem.forget_state();
+      return true;
+    };
 
     const NewtonSolver     newton_solver(parameters.algorithm.newton, newton);
     const NestedFixedPoint fixed_point(

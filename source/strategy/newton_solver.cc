@@ -306,9 +306,13 @@ namespace stickslip
     unsigned int   limit  = parameters.max_iterations;
     for (unsigned int iteration = 0;; ++iteration)
       {
-        if (is_converged(iteration, state) &&
-            survives_release(x, iteration, state))
-          return iteration;
+        if (is_converged(iteration, state))
+          {
+            if (survives_release(x, iteration, state))
+              return iteration;
+            stagnation = Stagnation();
+            limit      = iteration + parameters.max_iterations;
+          }
         if (iteration >= limit)
           break;
         const bool backtrack =

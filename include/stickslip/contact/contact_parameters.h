@@ -85,6 +85,7 @@ namespace stickslip
     double                    search_distance      = 0.;
     double                    projection_tolerance = 0.05;
     double                    facet_overlap        = 0.01;
+    double                    end_overlap          = 0.5;
     std::string               gap_offset           = "0";
     std::vector<unsigned int> excluded_boundaries;
     std::string               excluded_points;

@@ -74,6 +74,7 @@ namespace stickslip
     unsigned int      accepted_facet_changes = 0; ///< when it began
     unsigned int      pairing_changes = 0; ///< partner lost or found, likewise
     bool              was_clinging    = false; ///< to the end of the master
+    bool              has_forgotten   = false; ///< its facets in this step
     bool              closed          = false; ///< frozen S_c
     double            threshold       = 0.;    ///< frozen s
 
@@ -118,6 +119,7 @@ namespace stickslip
       // beyond its facet the point still needs what it has learnt
       accepted_facet_changes = is_beyond_its_facet() ? facet_changes : 0;
       facet_changes          = accepted_facet_changes;
+      has_forgotten          = false;
     }
 
     void
@@ -126,6 +128,23 @@ namespace stickslip
       frame           = accepted_frame;
       facet_changes   = accepted_facet_changes;
       pairing_changes = 0;
+      has_forgotten   = false;
+    }
+
+    /**
+     * Lets go of a facet that is kept beyond its edge because of what happened
+     * during this step, once in a step: perhaps that was on the way to the
+     * solution only. True if there is such a facet.
+     */
+    bool
+    forget_facets()
+    {
+      if (has_forgotten || accepted_facet_changes > 0 ||
+          pairing_memory().overlap_factor == 0. || !is_beyond_its_facet())
+        return false;
+      has_forgotten = true;
+      facet_changes = 0;
+      return true;
     }
 
     /**

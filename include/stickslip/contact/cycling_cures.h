@@ -58,6 +58,10 @@ namespace stickslip
     CyclingCures(const CyclingParameters &parameters,
                  ContactAssembler<dim>   &contact);
 
+    /// A step begins: facets may be forgotten again.
+    void
+    begin_step();
+
     /// A solve begins: forgets statuses and holds, not the scales.
     void
     begin_solve();
@@ -74,9 +78,15 @@ namespace stickslip
       return text;
     }
 
-    /// Frees all held statuses. True if there were any.
+    /// Frees all held statuses, and facets that live geometry keeps beyond
+    /// their edges. True if there were any; the points must then be paired
+    /// anew.
     bool
     release();
+
+    /// From now on no facets are forgotten in this step. True if some were.
+    bool
+    keep_facets();
 
     /// All r at the stiffness of the contact. True if that changes an r by more
     /// than a factor of two.
@@ -99,6 +109,8 @@ namespace stickslip
       before; ///< [pair][point], last iterate
     std::vector<std::vector<StatusState<dim>>> now;
     std::string                                text;
+    bool                                       may_forget_facets = true;
+    bool                                       has_forgotten     = false;
 
     void
     read_states();

@@ -22,6 +22,18 @@ namespace stickslip
                  const LA::Vector            &u,
                  std::vector<Tensor<1, dim>> &positions);
 
+  /// As in ContactPairParameters; the overlaps and the projection tolerance are
+  /// fractions of the face size.
+  struct PairingTolerances
+  {
+    double search_distance; ///< [length]
+    double projection_tolerance;
+    double facet_overlap;
+    double end_overlap;
+  };
+
+
+
   /**
    * The master faces that the slave points of this rank may meet, copied from
    * the ranks that own them: a rank holds no more of the master surface than
@@ -31,15 +43,10 @@ namespace stickslip
   class MasterPatch
   {
   public:
-    /**
-     * @p owned are the master faces of this rank's cells; @p search_distance
-     * and @p projection_tolerance as in ContactPairParameters.
-     */
+    /// @p owned are the master faces of this rank's cells.
     MasterPatch(std::vector<SurfaceFace<dim>> owned,
                 const FaceShape<dim>         &shape,
-                const double                  search_distance,
-                const double                  projection_tolerance,
-                const double                  facet_overlap,
+                const PairingTolerances      &tolerances,
                 const MPI_Comm               &communicator);
 
     /**
@@ -66,8 +73,9 @@ namespace stickslip
      * order of faces. A face that the point is paired with already (@p hint)
      * is kept while the projection is at most `facet_overlap` times the factor
      * of @p memory outside of it, and a point that clings keeps a partner up to
-     * half a face beyond the end of the surface: without that a point at a kink
-     * or at the end changes its partner for ever. The tangent basis is not set.
+     * `end_overlap` beyond the end of the surface: without that a point at a
+     * kink or at the end changes its partner for ever. The tangent basis is not
+     * set.
      */
     ContactFrame<dim>
     find(const Tensor<1, dim>    &x_s,
@@ -124,9 +132,7 @@ namespace stickslip
     std::vector<MasterConfiguration<dim>> old;
     RTree<Box>                            tree;
     const FaceShape<dim>                  shape;
-    const double                          search_distance;
-    const double                          projection_tolerance;
-    const double                          facet_overlap;
+    const PairingTolerances               tolerances;
     MPI_Comm                              communicator;
 
     /// Candidate faces around @p x_s by distance of their boxes.

@@ -71,7 +71,7 @@ namespace stickslip
     Acceptance            found;
 
     /// Solves with one algorithm and examines the result. A second time with
-    /// other scales if these may be the reason why that fails.
+    /// other scales or facets if these may be the reason why that fails.
     void
     solve_with(const std::string     &algorithm,
                const LA::BlockVector &guess,
