@@ -1,0 +1,191 @@
+"""Grids of a run, and pictures of them: what scripts/render has VTK do."""
+import numpy as np
+import vtk
+from vtk.util.numpy_support import vtk_to_numpy, numpy_to_vtk
+
+
+def read_grid(file_name):
+    reader = vtk.vtkXMLPUnstructuredGridReader()
+    reader.SetFileName(file_name)
+    reader.Update()
+    return reader.GetOutput()
+
+
+def warped(grid, factor):
+    array = grid.GetPointData().GetArray("displacement")
+    if array is None or factor == 0.:
+        return grid
+    points = vtk.vtkPoints()
+    points.SetDataTypeToDouble()
+    points.SetData(numpy_to_vtk(
+        vtk_to_numpy(grid.GetPoints().GetData()).astype(float)
+        + factor * vtk_to_numpy(array), deep=1))
+    grid.SetPoints(points)
+    return grid
+
+
+def surface_of(grid, subdivisions=1):
+    """Outer faces; curved cells are subdivided at their nodes."""
+    surface = vtk.vtkDataSetSurfaceFilter()
+    surface.SetInputData(grid)
+    surface.SetNonlinearSubdivisionLevel(subdivisions)
+    surface.Update()
+    return surface.GetOutput()
+
+
+def split_by_body(grid):
+    """One grid per body, so that touching bodies keep their own surfaces."""
+    if grid.GetPointData().GetArray("body") is None:
+        return [grid]
+    numbers = np.unique(vtk_to_numpy(grid.GetPointData().GetArray("body")))
+    parts = []
+    for number in numbers:
+        threshold = vtk.vtkThreshold()
+        threshold.SetInputData(grid)
+        threshold.SetInputArrayToProcess(0, 0, 0, 0, "body")
+        threshold.SetLowerThreshold(number - 0.1)
+        threshold.SetUpperThreshold(number + 0.1)
+        threshold.Update()
+        parts.append(threshold.GetOutput())
+    return parts
+
+
+def add_scalar(data, field, component):
+    """The field as point scalars "colour": a scalar, a component or the norm."""
+    array = data.GetPointData().GetArray(field)
+    if array is None:
+        known = [data.GetPointData().GetArrayName(i)
+                 for i in range(data.GetPointData().GetNumberOfArrays())]
+        sys.exit(f"scripts/render: no field '{field}' in the results. "
+                 f"There are: {', '.join(known)}.")
+    values = vtk_to_numpy(array).astype(float)
+    if values.ndim > 1:
+        values = (np.linalg.norm(values, axis=1) if component is None
+                  else values[:, component])
+    scalars = numpy_to_vtk(values, deep=1)
+    scalars.SetName("colour")
+    data.GetPointData().SetScalars(scalars)
+    return values
+
+
+def colour_range(values):
+    low, high = float(np.min(values)), float(np.max(values))
+    if low >= 0.:
+        low = 0.
+    return (low, high) if high > low else (low, low + 1.)
+
+
+def lookup_table(colour_map, value_range, n=256):
+    table = vtk.vtkLookupTable()
+    table.SetNumberOfTableValues(n)
+    table.SetRange(*value_range)
+    for i in range(n):
+        table.SetTableValue(i, *colour_map((i + 0.5) / n))
+    table.Build()
+    return table
+
+
+def surface_actor(surface, table, is_flat):
+    mapper = vtk.vtkPolyDataMapper()
+    if not is_flat:
+        normals = vtk.vtkPolyDataNormals()
+        normals.SetInputData(surface)
+        normals.SetFeatureAngle(35)
+        normals.Update()
+        surface = normals.GetOutput()
+    mapper.SetInputData(surface)
+    mapper.SetLookupTable(table)
+    mapper.SetUseLookupTableScalarRange(True)
+    mapper.InterpolateScalarsBeforeMappingOn()
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 8)
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    prop = actor.GetProperty()
+    prop.SetAmbient(1. if is_flat else 0.6)
+    prop.SetDiffuse(0. if is_flat else 0.45)
+    prop.SetSpecular(0. if is_flat else 0.06)
+    return actor
+
+
+def line_actor(data, colour, width, opacity=1.):
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    mapper.ScalarVisibilityOff()
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(-4, -8)
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    prop = actor.GetProperty()
+    prop.SetColor(*colour)
+    prop.SetLineWidth(width)
+    prop.SetOpacity(opacity)
+    prop.LightingOff()
+    return actor
+
+
+def cell_edges(grid):
+    """Element edges through all nodes; those inside a body are hidden anyway."""
+    edges = vtk.vtkExtractEdges()
+    edges.SetInputData(grid)
+    edges.Update()
+    return edges.GetOutput()
+
+
+def outline_edges(surface):
+    clean = vtk.vtkCleanPolyData()
+    clean.SetInputData(surface)
+    clean.SetTolerance(1e-7)
+    edges = vtk.vtkFeatureEdges()
+    edges.SetInputConnection(clean.GetOutputPort())
+    edges.BoundaryEdgesOn()
+    edges.FeatureEdgesOn()
+    edges.SetFeatureAngle(40)
+    edges.NonManifoldEdgesOff()
+    edges.ManifoldEdgesOff()
+    edges.ColoringOff()
+    edges.Update()
+    return edges.GetOutput()
+
+
+def picture_of(actors, size, direction, up, zoom=1.):
+    """Renders the actors, seen from `direction`, into an RGB array."""
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    for actor in actors:
+        renderer.AddActor(actor)
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(8)
+    window.SetSize(*size)
+    window.AddRenderer(renderer)
+
+    bounds = np.array(renderer.ComputeVisiblePropBounds()).reshape(3, 2)
+    centre = bounds.mean(axis=1)
+    radius = 0.5 * np.linalg.norm(bounds[:, 1] - bounds[:, 0])
+    camera = renderer.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    camera.SetFocalPoint(*centre)
+    camera.SetPosition(*(centre + 4. * radius * np.asarray(direction)))
+    camera.SetViewUp(*up)
+
+    # Fill the picture: project the corners of the box onto the view plane.
+    d = np.asarray(direction) / np.linalg.norm(direction)
+    right = np.cross(up, d)
+    right /= np.linalg.norm(right)
+    upward = np.cross(d, right)
+    corners = np.array([[bounds[0][i], bounds[1][j], bounds[2][k]]
+                        for i in (0, 1) for j in (0, 1) for k in (0, 1)]) - centre
+    width, height = np.ptp(corners @ right), np.ptp(corners @ upward)
+    camera.SetParallelScale(
+        0.5 * max(height, width * size[1] / size[0]) * 1.06 / zoom)
+    renderer.ResetCameraClippingRange()
+    window.Render()
+
+    to_image = vtk.vtkWindowToImageFilter()
+    to_image.SetInput(window)
+    to_image.ReadFrontBufferOff()
+    to_image.Update()
+    image = to_image.GetOutput()
+    pixels = vtk_to_numpy(image.GetPointData().GetScalars())
+    return pixels.reshape(size[1], size[0], -1)[::-1, :, :3]
