@@ -134,11 +134,52 @@ namespace stickslip
 
 
 
+    /// What a cell costs: itself and its faces on costly surfaces.
+    class CellCost
+    {
+    public:
+      CellCost(const std::vector<CostlySurface> &surfaces,
+               const Bodies                     &bodies,
+               const double                      face_weight)
+        : of_a_face(static_cast<unsigned int>(of_a_cell * face_weight))
+      {
+        if (of_a_face > 0)
+          for (const CostlySurface &surface : surfaces)
+            boundaries.merge(bodies.global_boundary_ids(
+              surface.body, surface.boundary, surface.parameter_path));
+      }
+
+      bool
+      is_uniform() const
+      {
+        return boundaries.empty();
+      }
+
+      template <typename CellIterator>
+      unsigned int
+      operator()(const CellIterator &cell) const
+      {
+        unsigned int cost = of_a_cell;
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary() && boundaries.count(face->boundary_id()) > 0)
+            cost += of_a_face;
+        return cost;
+      }
+
+    private:
+      static constexpr unsigned int of_a_cell = 1000;
+      unsigned int                  of_a_face;
+      std::set<types::boundary_id>  boundaries;
+    };
+
+
+
     template <int dim>
     std::unique_ptr<parallel::DistributedTriangulationBase<dim>>
     distribute_with_p4est(const JoinedMesh<dim>               &joined_mesh,
                           const std::vector<PeriodicBoundary> &periodicity,
                           const unsigned int                   n_refinements,
+                          const CellCost                      &cost,
                           const MPI_Comm                       communicator)
     {
       auto triangulation =
@@ -147,6 +188,12 @@ namespace stickslip
       joined_mesh.create(*triangulation);
       add_periodicity<dim>(periodicity, *triangulation);
       triangulation->refine_global(n_refinements);
+      if (!cost.is_uniform())
+        {
+          triangulation->signals.weight.connect(
+            [cost](const auto &cell, const auto) { return cost(cell); });
+          triangulation->repartition();
+        }
       return triangulation;
     }
 
@@ -159,6 +206,7 @@ namespace stickslip
     distribute_with_metis(const JoinedMesh<dim>               &joined_mesh,
                           const std::vector<PeriodicBoundary> &periodicity,
                           const unsigned int                   n_refinements,
+                          const CellCost                      &cost,
                           const MPI_Comm                       communicator)
     {
       const unsigned int n_ranks =
@@ -174,7 +222,11 @@ namespace stickslip
           [&](Triangulation<dim> &serial,
               const MPI_Comm &,
               const unsigned int) {
-            GridTools::partition_triangulation(n_ranks, serial);
+            std::vector<unsigned int> costs;
+            if (!cost.is_uniform())
+              for (const auto &cell : serial.active_cell_iterators())
+                costs.push_back(cost(cell));
+            GridTools::partition_triangulation(n_ranks, costs, serial);
           },
           communicator,
           n_ranks);
@@ -198,7 +250,8 @@ namespace stickslip
   build_mesh(const MeshParameters               &parameters,
              const NamedList<BodyParameters>    &body_parameters,
              const std::vector<PeriodicRequest> &periodic_requests,
-             const MPI_Comm                      communicator)
+             const MPI_Comm                      communicator,
+             const std::vector<CostlySurface>   &costly_surfaces)
   {
     parameters.check("Mesh");
     if (body_parameters.empty())
@@ -226,10 +279,12 @@ namespace stickslip
     const auto distribute =
       (parameters.partitioner == "METIS" ? distribute_with_metis<dim>
                                          : distribute_with_p4est<dim>);
-    mesh.triangulation = distribute(joined_mesh,
-                                    mesh.periodic_boundaries,
-                                    parameters.global_refinements,
-                                    communicator);
+    mesh.triangulation =
+      distribute(joined_mesh,
+                 mesh.periodic_boundaries,
+                 parameters.global_refinements,
+                 {costly_surfaces, mesh.bodies, parameters.contact_weight},
+                 communicator);
     return mesh;
   }
 
@@ -239,10 +294,12 @@ namespace stickslip
   build_mesh<2>(const MeshParameters &,
                 const NamedList<BodyParameters> &,
                 const std::vector<PeriodicRequest> &,
-                const MPI_Comm);
+                const MPI_Comm,
+                const std::vector<CostlySurface> &);
   template Mesh<3>
   build_mesh<3>(const MeshParameters &,
                 const NamedList<BodyParameters> &,
                 const std::vector<PeriodicRequest> &,
-                const MPI_Comm);
+                const MPI_Comm,
+                const std::vector<CostlySurface> &);
 } // namespace stickslip

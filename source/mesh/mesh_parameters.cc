@@ -17,6 +17,13 @@ namespace stickslip
                       "Uniform refinements of all bodies, after those of each "
                       "body.",
                       Patterns::Integer(0, 12));
+    prm.add_parameter("Contact weight",
+                      contact_weight,
+                      "What a slave face costs, in cells: with several ranks "
+                      "cells are distributed such that all have the same work. "
+                      "0: only cells count. A run can be continued (--restart) "
+                      "with another weight, which distributes it anew.",
+                      Patterns::Double(0., 1000.));
   }
 
 

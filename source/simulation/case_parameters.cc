@@ -193,4 +193,17 @@ namespace stickslip
         }
     return requests;
   }
+
+
+
+  std::vector<CostlySurface>
+  CaseParameters::slave_surfaces() const
+  {
+    std::vector<CostlySurface> surfaces;
+    for (const auto &[name, pair] : contact_pairs)
+      surfaces.push_back({"Contact/" + name + "/Slave boundary",
+                          pair.slave_body,
+                          pair.slave_boundary});
+    return surfaces;
+  }
 } // namespace stickslip

@@ -25,7 +25,8 @@ namespace stickslip
     , mesh(build_mesh<dim>(parameters.mesh,
                            parameters.bodies,
                            parameters.periodic_requests(),
-                           communicator))
+                           communicator,
+                           parameters.slave_surfaces()))
     , problem(mesh,
               parameters.degree,
               parameters.materials,

@@ -184,6 +184,46 @@ namespace
     print("  periodic faces " +
           std::to_string(Utilities::MPI::sum(n_pairs, comm)));
   }
+
+
+
+  /// Two strips of 16 x 2 cells; a face on the lower one's top counts as
+  /// `Contact weight` cells.
+  void
+  test_weights(const std::string &partitioner, const double weight)
+  {
+    MeshParameters parameters;
+    parameters.partitioner    = partitioner;
+    parameters.contact_weight = weight;
+    const auto strip          = [](const std::string &y) {
+      return generated("subdivided_hyper_rectangle",
+                       "16, 2 : 0, " + y + " : 16, " + y + "2 : true");
+    };
+    const Mesh<2> mesh =
+      build_mesh<2>(parameters,
+                    {{"upper", strip("1")}, {"lower", strip("0")}},
+                    {},
+                    comm,
+                    {{"path", "lower", {3}}});
+    const auto top  = mesh.bodies.global_boundary_id(1, 3);
+    double     load = 0.;
+    for (const auto &cell : mesh.triangulation->active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          load += 1.;
+          for (const auto &face : cell->face_iterators())
+            if (face->at_boundary() && face->boundary_id() == top)
+              load += weight;
+        }
+    const double mean =
+      Utilities::MPI::sum(load, comm) / Utilities::MPI::n_mpi_processes(comm);
+    print(partitioner + ", a face counts as " + text(weight) +
+          " cells, loads within a tenth or a cell of each other: " +
+          (Utilities::MPI::max(std::abs(load - mean), comm) <=
+               std::max(0.1 * mean, 1. + weight)
+             ? "yes"
+             : "NO"));
+  }
 } // namespace
 
 int
@@ -210,4 +250,9 @@ main(int argc, char **argv)
   test_joining();
   test_periodicity("p4est");
   test_periodicity("METIS");
+  for (const double weight : {0., 4.})
+    {
+      test_weights("p4est", weight);
+      test_weights("METIS", weight);
+    }
 }

@@ -27,6 +27,8 @@ namespace stickslip
    * gluing coinciding vertices, distributes the result and refines it globally.
    * "p4est" gives a parallel::distributed::Triangulation, which can be refined
    * further; "METIS" a parallel::fullydistributed::Triangulation, which cannot.
+   * A face on one of the @p costly_surfaces counts as `Contact weight` cells
+   * when the cells are distributed.
    *
    * Collective over @p communicator. Every rank builds the coarse (joined) mesh;
    * the fine mesh is distributed (with METIS one rank holds it temporarily).
@@ -37,7 +39,8 @@ namespace stickslip
   build_mesh(const MeshParameters               &parameters,
              const NamedList<BodyParameters>    &body_parameters,
              const std::vector<PeriodicRequest> &periodic_requests,
-             const MPI_Comm                      communicator);
+             const MPI_Comm                      communicator,
+             const std::vector<CostlySurface>   &costly_surfaces = {});
 } // namespace stickslip
 
 #endif

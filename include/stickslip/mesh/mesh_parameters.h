@@ -5,6 +5,7 @@
 #include <deal.II/base/types.h>
 
 #include <string>
+#include <vector>
 
 namespace stickslip
 {
@@ -15,6 +16,7 @@ namespace stickslip
   {
     std::string  partitioner        = "p4est"; ///< or "METIS"
     unsigned int global_refinements = 0;
+    double       contact_weight     = 0.;
 
     /// Where relative mesh file names are looked for first (set by the caller,
     /// usually the directory of the .prm file); then the working directory.
@@ -25,6 +27,14 @@ namespace stickslip
 
     void
     check(const std::string &path) const;
+  };
+
+  /// Boundaries whose cells cost more than others: slave surfaces.
+  struct CostlySurface
+  {
+    std::string               parameter_path; ///< for messages
+    std::string               body;
+    std::vector<unsigned int> boundary; ///< the user's ids
   };
 
   /// The wish that two opposite boundaries of a body be identified.

@@ -72,6 +72,10 @@ namespace stickslip
     std::vector<PeriodicRequest>
     periodic_requests() const;
 
+    /// What the distribution of the cells may weigh.
+    std::vector<CostlySurface>
+    slave_surfaces() const;
+
   private:
     void
     add_parameters(ParameterHandler &prm);
