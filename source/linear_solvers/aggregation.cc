@@ -1,5 +1,6 @@
 #include <stickslip/linear_solvers/aggregation.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stickslip
@@ -226,9 +227,11 @@ namespace stickslip
           }
         result.rows.columns.push_back(result.coarse.global(a));
         result.rows.widths.push_back(ranks[a]);
+        result.rows.end_row(fine.size(node));
+        result.rows.allocate();
         std::copy_n(basis.begin() + basis_begins[node],
                     fine.size(node) * ranks[a],
-                    result.rows.end_row(fine.size(node)));
+                    result.rows.panel(node));
       }
     return result;
   }

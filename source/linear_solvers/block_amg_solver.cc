@@ -3,6 +3,7 @@
 #include <stickslip/linear_solvers/block_amg_solver.h>
 
 #include <deal.II/lac/solver_gmres.h>
+#include <deal.II/lac/vector_memory.h>
 
 #include <algorithm>
 #include <cmath>
@@ -227,6 +228,8 @@ namespace stickslip
           iterate(x, rhs, tolerance, parameters.max_iterations, converged);
         result.iterations += iterations;
       }
+    // its pool would keep them
+    GrowingVectorMemory<LA::BlockVector>::release_unused_memory();
     result.multigrid_setups = n_new;
     n_new                   = 0;
     if (!converged)

@@ -56,7 +56,9 @@ namespace stickslip
     const unsigned int n = A.n_rows();
     inverse_begins.assign(1, 0);
     inverses.clear();
-    n_before.resize(n);
+    diagonals.resize(n);
+    lower_widths.resize(n);
+    lower_residual.resize(A.row_begin(n));
     unsigned int highest = 0;
     for (unsigned int node = 0; node < n; ++node)
       {
@@ -72,9 +74,10 @@ namespace stickslip
         std::size_t        k      = A.column_begin(node);
         while (k < A.column_begin(node + 1) && A.column(k) != node)
           offset += A.block_width(k++);
-        n_before[node] = k - A.column_begin(node);
-        if (k == A.column_begin(node + 1))
-          continue; // an empty row
+        diagonals[node]    = k;
+        lower_widths[node] = offset;
+        AssertThrow(k < A.column_begin(node + 1),
+                    ExcMessage("A diagonal block is zero."));
         double *const block = inverses.data() + inverse_begins[node];
         for (unsigned int r = 0; r < size; ++r)
           std::copy_n(A.panel(node) + r * A.width(node) + offset,
@@ -104,46 +107,106 @@ namespace stickslip
 
 
   void
-  BlockGaussSeidel::relax(const unsigned int         node,
-                          const unsigned int         n_columns,
-                          std::vector<double>       &x,
-                          const std::vector<double> &b) const
+  BlockGaussSeidel::set_from_defect(const unsigned int   node,
+                                    std::vector<double> &x) const
   {
-    matrix->row_residual(node, n_columns, x, b, defect.data());
     const double      *block  = inverse(node);
     const unsigned int n      = matrix->height(node);
     double *const      values = x.data() + matrix->row_begin(node);
     for (unsigned int r = 0; r < n; ++r, block += n)
-      for (unsigned int c = 0; c < n; ++c)
-        values[r] += block[c] * defect[c];
+      {
+        double sum = 0.;
+        for (unsigned int c = 0; c < n; ++c)
+          sum += block[c] * defect[c];
+        values[r] = sum;
+      }
   }
 
 
 
   void
-  BlockGaussSeidel::sweep_backwards(std::vector<double>       &x,
-                                    const std::vector<double> &b) const
+  BlockGaussSeidel::subtract_lower(const unsigned int         node,
+                                   const std::vector<double> &x,
+                                   double                    *y) const
   {
-    matrix->column_space().update_ghosts(x);
+    matrix->subtract_product(
+      node, matrix->column_begin(node), diagonals[node], 0, x, y);
+  }
+
+
+
+  void
+  BlockGaussSeidel::subtract_upper(const unsigned int         node,
+                                   const std::vector<double> &x,
+                                   double                    *y) const
+  {
+    matrix->subtract_product(node,
+                             diagonals[node] + 1,
+                             matrix->column_begin(node + 1),
+                             lower_widths[node] + matrix->height(node),
+                             x,
+                             y);
+  }
+
+
+
+  void
+  BlockGaussSeidel::subtract_ghosts_behind(const unsigned int         node,
+                                           const std::vector<double> &x,
+                                           double                    *y) const
+  {
+    std::size_t       first  = matrix->column_begin(node + 1);
+    unsigned int      offset = matrix->width(node);
+    const std::size_t end    = first;
+    while (first > diagonals[node] + 1 &&
+           matrix->column(first - 1) >= matrix->n_rows())
+      offset -= matrix->block_width(--first);
+    matrix->subtract_product(node, first, end, offset, x, y);
+  }
+
+
+
+  void
+  BlockGaussSeidel::sweep_backwards(std::vector<double> &x) const
+  {
     for (unsigned int node = matrix->n_rows(); node-- > 0;)
-      relax(node,
-            matrix->column_begin(node + 1) - matrix->column_begin(node),
-            x,
-            b);
+      {
+        std::copy_n(lower_residual.begin() + matrix->row_begin(node),
+                    matrix->height(node),
+                    defect.begin());
+        subtract_upper(node, x, defect.data());
+        set_from_defect(node, x);
+      }
   }
 
 
 
   void
   BlockGaussSeidel::solve(std::vector<double>       &x,
+                          std::vector<double>       &residual,
                           const std::vector<double> &b) const
   {
     const NodeSpace &space = matrix->column_space();
     x.assign(space.begin(space.n_local()), 0.);
-    // x is zero in all nodes that follow
+    std::copy_n(b.begin(), lower_residual.size(), lower_residual.begin());
     for (unsigned int node = 0; node < matrix->n_rows(); ++node)
-      relax(node, n_before[node], x, b);
-    sweep_backwards(x, b);
+      {
+        double *const rest = lower_residual.data() + matrix->row_begin(node);
+        subtract_lower(node, x, rest);
+        std::copy_n(rest, matrix->height(node), defect.begin());
+        set_from_defect(node, x);
+      }
+    sweep_backwards(x);
+    space.update_ghosts(x);
+    residual.resize(lower_residual.size());
+    for (unsigned int i = 0; i < residual.size(); ++i)
+      residual[i] = b[i] - lower_residual[i];
+    for (unsigned int node = 0; node < matrix->n_rows(); ++node)
+      {
+        double *const rest = residual.data() + matrix->row_begin(node);
+        subtract_lower(node, x, rest);
+        subtract_ghosts_behind(node, x, rest);
+      }
   }
 
 
@@ -153,12 +216,16 @@ namespace stickslip
                            const std::vector<double> &b) const
   {
     matrix->column_space().update_ghosts(x);
+    std::copy_n(b.begin(), lower_residual.size(), lower_residual.begin());
     for (unsigned int node = 0; node < matrix->n_rows(); ++node)
-      relax(node,
-            matrix->column_begin(node + 1) - matrix->column_begin(node),
-            x,
-            b);
-    sweep_backwards(x, b);
+      {
+        double *const rest = lower_residual.data() + matrix->row_begin(node);
+        subtract_lower(node, x, rest);
+        std::copy_n(rest, matrix->height(node), defect.begin());
+        subtract_upper(node, x, defect.data());
+        set_from_defect(node, x);
+      }
+    sweep_backwards(x);
   }
 
 

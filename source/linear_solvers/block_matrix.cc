@@ -52,23 +52,23 @@ namespace stickslip
 
   template <typename Number>
   void
-  BlockMatrix<Number>::row_residual(const unsigned int         row,
-                                    const unsigned int         n_columns,
-                                    const std::vector<double> &x,
-                                    const std::vector<double> &b,
-                                    double                    *y) const
+  BlockMatrix<Number>::subtract_product(const unsigned int         row,
+                                        const std::size_t          first,
+                                        const std::size_t          end,
+                                        const unsigned int         offset,
+                                        const std::vector<double> &x,
+                                        double                    *y) const
   {
-    const std::size_t begin = rows.column_begins[row];
-    unsigned int      n     = 0;
-    for (std::size_t k = begin; k < begin + n_columns; ++k)
+    unsigned int n = 0;
+    for (std::size_t k = first; k < end; ++k)
       {
         const double *const values = x.data() + space.begin(rows.columns[k]);
         for (unsigned int c = 0; c < rows.widths[k]; ++c)
           gathered[n++] = values[c];
       }
-    const Number *entries = panel(row);
+    const Number *entries = panel(row) + offset;
     for (unsigned int r = 0; r < height(row); ++r, entries += widths[row])
-      y[r] = b[row_begins[row] + r] - product(entries, gathered.data(), n);
+      y[r] -= product(entries, gathered.data(), n);
   }
 
 
@@ -79,12 +79,14 @@ namespace stickslip
                                 const std::vector<double> &x,
                                 const std::vector<double> &b) const
   {
+    std::copy_n(b.begin(), row_begins.back(), y.begin());
     for (unsigned int row = 0; row < n_rows(); ++row)
-      row_residual(row,
-                   rows.column_begins[row + 1] - rows.column_begins[row],
-                   x,
-                   b,
-                   y.data() + row_begins[row]);
+      subtract_product(row,
+                       rows.column_begins[row],
+                       rows.column_begins[row + 1],
+                       0,
+                       x,
+                       y.data() + row_begins[row]);
   }
 
 

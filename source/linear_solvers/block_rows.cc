@@ -107,6 +107,7 @@ namespace stickslip
             sum.widths.push_back(width);
           }
         sum.end_row(space.size(row));
+        sum.allocate();
         for (const auto &[part, k] : parts[row])
           add_row(*part, k, sum, row);
       }

@@ -31,38 +31,33 @@ namespace stickslip
 
     /**
      * The sum of @p matrices in blocks of @p n unknowns, without blocks that
-     * are zero. All matrices have the same rows.
+     * are zero, except those on the diagonal if @p is_square. All matrices
+     * have the same rows.
      */
     template <typename Number>
     BlockRows<Number>
     block_rows(const std::vector<const LA::SparseMatrix *> &matrices,
-               const unsigned int                           n)
+               const unsigned int                           n,
+               const bool                                   is_square)
     {
-      BlockRows<Number> rows;
-      std::size_t       n_entries = 0;
-      for (const auto *matrix : matrices)
-        n_entries += LA::n_owned_entries(*matrix);
-      rows.values.reserve(n_entries);
-      rows.columns.reserve(n_entries / (n * n));
-      rows.widths.reserve(n_entries / (n * n));
-
       const IndexSet owned = matrices.front()->locally_owned_range_indices();
+      // calls act(row in the block, column, value) for entries from @p first on
+      const auto visit_block = [&](const Index first, const auto &act) {
+        for (const auto *matrix : matrices)
+          for (unsigned int r = 0; r < n; ++r)
+            LA::visit_row(*matrix,
+                          first + r,
+                          [&](const Index column, const double value) {
+                            if (value != 0.)
+                              act(r, column, value);
+                          });
+      };
+      BlockRows<Number>  rows;
       std::vector<Index> nodes;
-      for (auto row = owned.begin(); row != owned.end();)
+      for (auto row = owned.begin(); row != owned.end(); std::advance(row, n))
         {
-          const Index first = *row;
-          const auto  visit = [&](const auto &act) {
-            for (const auto *matrix : matrices)
-              for (unsigned int r = 0; r < n; ++r)
-                LA::visit_row(*matrix,
-                              first + r,
-                              [&](const auto column, const double value) {
-                                if (value != 0.)
-                                  act(r, column, value);
-                              });
-          };
-          nodes.clear();
-          visit([&](const unsigned int, const Index column, const double) {
+          nodes.assign(is_square ? 1 : 0, *row / n);
+          visit_block(*row, [&](const auto, const Index column, const auto) {
             if (nodes.empty() || nodes.back() != column / n)
               nodes.push_back(column / n);
           });
@@ -70,17 +65,27 @@ namespace stickslip
           nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
           rows.columns.insert(rows.columns.end(), nodes.begin(), nodes.end());
           rows.widths.resize(rows.columns.size(), n);
-          Number *const      panel = rows.end_row(n);
-          const unsigned int width = n * nodes.size();
-          unsigned int       k     = 0; // most often the next one is the same
-          visit(
+          rows.end_row(n);
+        }
+      rows.allocate();
+      unsigned int block = 0;
+      for (auto row = owned.begin(); row != owned.end();
+           std::advance(row, n), ++block)
+        {
+          const Index *const begin =
+            rows.columns.data() + rows.column_begins[block];
+          const Index *const end =
+            rows.columns.data() + rows.column_begins[block + 1];
+          const Index       *k     = begin; // most often the next one is there
+          const unsigned int width = n * (end - begin);
+          visit_block(
+            *row,
             [&](const unsigned int r, const Index column, const double value) {
-              if (nodes[k] != column / n)
-                k = std::lower_bound(nodes.begin(), nodes.end(), column / n) -
-                    nodes.begin();
-              panel[r * width + k * n + column % n] += value;
+              if (*k != column / n)
+                k = std::lower_bound(begin, end, column / n);
+              rows.panel(block)[r * width + (k - begin) * n + column % n] +=
+                value;
             });
-          std::advance(row, n);
         }
       return rows;
     }
@@ -124,13 +129,13 @@ namespace stickslip
                        n,
                        communicator);
             prolongation =
-              block_rows<float>({description.prolongation.get()}, n);
+              block_rows<float>({description.prolongation.get()}, n, false);
           }
         std::vector<const LA::SparseMatrix *> parts(1, &matrix);
         if (added.m() > 0)
           parts.push_back(&added);
         hierarchy.reinit(
-          BlockMatrix<double>(block_rows<double>(parts, n), nodes, nodes),
+          BlockMatrix<double>(block_rows<double>(parts, n, true), nodes, nodes),
           std::move(prolongation),
           linear_nodes,
           modes_of(*description.near_null_space,

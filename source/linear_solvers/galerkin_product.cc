@@ -216,6 +216,7 @@ namespace stickslip
             }
           result.end_row(space.size(coarse_row));
         }
+      result.allocate();
       return result;
     }
 
@@ -277,8 +278,9 @@ namespace stickslip
             P.widths.push_back(space.size(node));
           }
         const unsigned int height = A.height(row);
-        float *const       panel  = P.end_row(height);
-        const unsigned int width  = P.width(row);
+        P.end_row(height);
+        P.allocate();
+        const unsigned int width = P.width(row);
         column.resize(height);
         for (unsigned int c = 0; c < width; ++c)
           {
@@ -294,7 +296,7 @@ namespace stickslip
             for (unsigned int c = 0; c < P0.widths[l]; ++c)
               values[r * width + pattern.offset(columns[l]) + c] +=
                 P0.panel(row)[r * P0.widths[l] + c];
-        std::copy_n(values.begin(), height * width, panel);
+        std::copy_n(values.begin(), height * width, P.panel(row));
       }
     P.values.shrink_to_fit();
     return P;

@@ -177,13 +177,9 @@ namespace stickslip
         solve_coarsest();
         return;
       }
-    const Level     &level = *levels[l];
-    const Level     &next  = *levels[l + 1];
-    const NodeSpace &space = level.matrix.column_space();
-    level.smoother.solve(level.x, level.b);
-    space.update_ghosts(level.x);
-    level.defect.resize(space.n_owned_unknowns());
-    level.matrix.residual(level.defect, level.x, level.b);
+    const Level &level = *levels[l];
+    const Level &next  = *levels[l + 1];
+    level.smoother.solve(level.x, level.defect, level.b);
     level.prolongation.Tvmult(level.coarse, level.defect);
     next.b.assign(level.coarse.begin(),
                   level.coarse.begin() +

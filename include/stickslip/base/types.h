@@ -76,15 +76,6 @@ namespace stickslip
 
 
 
-    /// Entries that are stored in all owned rows.
-    inline std::size_t
-    n_owned_entries(const SparseMatrix &matrix)
-    {
-      return matrix.trilinos_matrix().NumMyNonzeros();
-    }
-
-
-
     /// Entries of the longest owned row.
     inline unsigned int
     longest_row(const SparseMatrix &matrix)

@@ -17,9 +17,16 @@ namespace stickslip
     void
     reinit(const BlockMatrix<double> &matrix);
 
-    /// One sweep forwards and one backwards from x = 0. Collective.
+    /**
+     * One sweep forwards and one backwards from x = 0, and the residual that is
+     * left. With A = L + D + U the sweeps are (D + L) x1 = b and (D + U) x =
+     * b - L x1, and b - A x = L (x1 - x): no part of A is needed twice.
+     * Collective.
+     */
     void
-    solve(std::vector<double> &x, const std::vector<double> &b) const;
+    solve(std::vector<double>       &x,
+          std::vector<double>       &residual,
+          const std::vector<double> &b) const;
 
     /// One sweep forwards and one backwards from the given x. Collective.
     void
@@ -47,19 +54,37 @@ namespace stickslip
     const BlockMatrix<double> *matrix = nullptr;
     std::vector<std::size_t>   inverse_begins;
     std::vector<double>        inverses;
-    std::vector<unsigned int>  n_before; ///< columns before the diagonal block
+    std::vector<std::size_t>   diagonals;    ///< positions in the columns
+    std::vector<unsigned int>  lower_widths; ///< before them in the panels
 
-    mutable std::vector<double> defect; ///< of one node
+    mutable std::vector<double> lower_residual; ///< b - L x1
+    mutable std::vector<double> defect;         ///< of one node
 
-    /// x += D^-1 (b - A x) for one node.
+    /// (D + U) x = lower_residual, from the last node to the first one.
     void
-    relax(const unsigned int         node,
-          const unsigned int         n_columns,
-          std::vector<double>       &x,
-          const std::vector<double> &b) const;
+    sweep_backwards(std::vector<double> &x) const;
+
+    /// x = D^-1 defect in one node.
+    void
+    set_from_defect(const unsigned int node, std::vector<double> &x) const;
+
+    /// y -= L x and y -= U x in one node; L and U have the ghosts before and
+    /// behind the owned nodes.
+    void
+    subtract_lower(const unsigned int         node,
+                   const std::vector<double> &x,
+                   double                    *y) const;
 
     void
-    sweep_backwards(std::vector<double> &x, const std::vector<double> &b) const;
+    subtract_upper(const unsigned int         node,
+                   const std::vector<double> &x,
+                   double                    *y) const;
+
+    /// The same with the ghosts behind the owned nodes.
+    void
+    subtract_ghosts_behind(const unsigned int         node,
+                           const std::vector<double> &x,
+                           double                    *y) const;
   };
 } // namespace stickslip
 

@@ -83,14 +83,18 @@ namespace stickslip
       return row_begins[row + 1] - row_begins[row];
     }
 
-    /// y = b - A x in one row of blocks, with the first @p n_columns blocks of
-    /// it only. Ghosts of @p x are up to date; @p y has the row's height.
+    /**
+     * y -= A x in one row of blocks, where A has its columns [first, end) only;
+     * @p offset is the width of those before. Ghosts of @p x are up to date;
+     * @p y has the height of the row.
+     */
     void
-    row_residual(const unsigned int         row,
-                 const unsigned int         n_columns,
-                 const std::vector<double> &x,
-                 const std::vector<double> &b,
-                 double                    *y) const;
+    subtract_product(const unsigned int         row,
+                     const std::size_t          first,
+                     const std::size_t          end,
+                     const unsigned int         offset,
+                     const std::vector<double> &x,
+                     double                    *y) const;
 
     /// y = b - A x. Ghosts of @p x are up to date.
     void

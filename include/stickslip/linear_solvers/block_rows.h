@@ -49,17 +49,21 @@ namespace stickslip
       return sum;
     }
 
-    /// Ends a row whose columns and widths have been appended: its panel with
-    /// @p height unknowns is zero. Returns the panel.
-    Number *
+    /// Ends a row whose columns and widths have been appended; its nodes have
+    /// @p height unknowns.
+    void
     end_row(const unsigned int height)
     {
       column_begins.push_back(columns.size());
-      const unsigned int row = n_rows() - 1;
       value_begins.push_back(value_begins.back() +
-                             std::size_t(height) * width(row));
+                             std::size_t(height) * width(n_rows() - 1));
+    }
+
+    /// Makes the panels of rows that have ended; new ones are zero.
+    void
+    allocate()
+    {
       values.resize(value_begins.back(), Number(0));
-      return panel(row);
     }
 
     /// Appends row @p row of @p other.
