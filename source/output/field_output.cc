@@ -153,6 +153,7 @@ namespace stickslip
                              DataOut<dim>::curved_inner_cells);
     else
       data_out.build_patches(mapping, degree, DataOut<dim>::curved_inner_cells);
+    data_out.clear_input_data_references(); // the patches have the values
 
     series.write(data_out,
                  step,
