@@ -3,16 +3,10 @@
 
 #include <stickslip/linear_solvers/displacement_multigrid.h>
 
-#include <algorithm>
-
 namespace stickslip
 {
   namespace
   {
-    using Index = NodeSpace::Index;
-
-
-
     /// Nodes of @p n_components consecutive unknowns.
     NodeSpace
     nodes_of(const IndexSet    &unknowns,
@@ -25,69 +19,6 @@ namespace stickslip
                                                    n_components,
                                                  n_components),
                        communicator);
-    }
-
-
-
-    /**
-     * The sum of @p matrices in blocks of @p n unknowns, without blocks that
-     * are zero, except those on the diagonal if @p is_square. All matrices
-     * have the same rows.
-     */
-    template <typename Number>
-    BlockRows<Number>
-    block_rows(const std::vector<const LA::SparseMatrix *> &matrices,
-               const unsigned int                           n,
-               const bool                                   is_square)
-    {
-      const IndexSet owned = matrices.front()->locally_owned_range_indices();
-      // calls act(row in the block, column, value) for entries from @p first on
-      const auto visit_block = [&](const Index first, const auto &act) {
-        for (const auto *matrix : matrices)
-          for (unsigned int r = 0; r < n; ++r)
-            LA::visit_row(*matrix,
-                          first + r,
-                          [&](const Index column, const double value) {
-                            if (value != 0.)
-                              act(r, column, value);
-                          });
-      };
-      BlockRows<Number>  rows;
-      std::vector<Index> nodes;
-      for (auto row = owned.begin(); row != owned.end(); std::advance(row, n))
-        {
-          nodes.assign(is_square ? 1 : 0, *row / n);
-          visit_block(*row, [&](const auto, const Index column, const auto) {
-            if (nodes.empty() || nodes.back() != column / n)
-              nodes.push_back(column / n);
-          });
-          std::sort(nodes.begin(), nodes.end());
-          nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-          rows.columns.insert(rows.columns.end(), nodes.begin(), nodes.end());
-          rows.widths.resize(rows.columns.size(), n);
-          rows.end_row(n);
-        }
-      rows.allocate();
-      unsigned int block = 0;
-      for (auto row = owned.begin(); row != owned.end();
-           std::advance(row, n), ++block)
-        {
-          const Index *const begin =
-            rows.columns.data() + rows.column_begins[block];
-          const Index *const end =
-            rows.columns.data() + rows.column_begins[block + 1];
-          const Index       *k     = begin; // most often the next one is there
-          const unsigned int width = n * (end - begin);
-          visit_block(
-            *row,
-            [&](const unsigned int r, const Index column, const double value) {
-              if (*k != column / n)
-                k = std::lower_bound(begin, end, column / n);
-              rows.panel(block)[r * width + (k - begin) * n + column % n] +=
-                value;
-            });
-        }
-      return rows;
     }
 
 
@@ -129,18 +60,19 @@ namespace stickslip
                        n,
                        communicator);
             prolongation =
-              block_rows<float>({description.prolongation.get()}, n, false);
+              read_blocks<float>({description.prolongation.get()}, n, false);
           }
         std::vector<const LA::SparseMatrix *> parts(1, &matrix);
         if (added.m() > 0)
           parts.push_back(&added);
-        hierarchy.reinit(
-          BlockMatrix<double>(block_rows<double>(parts, n, true), nodes, nodes),
-          std::move(prolongation),
-          linear_nodes,
-          modes_of(*description.near_null_space,
-                   description.prolongation ? linear_nodes.n_owned_unknowns()
-                                            : nodes.n_owned_unknowns()));
+        hierarchy.reinit(BlockMatrix<double>(
+                           read_blocks<double>(parts, n, true), nodes, nodes),
+                         std::move(prolongation),
+                         linear_nodes,
+                         modes_of(*description.near_null_space,
+                                  description.prolongation
+                                    ? linear_nodes.n_owned_unknowns()
+                                    : nodes.n_owned_unknowns()));
       }
     catch (const std::exception &error)
       {

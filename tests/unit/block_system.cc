@@ -9,6 +9,8 @@
 
 #include <stickslip/simulation/case_parameters.h>
 
+#include <stickslip/solid/rigid_body_modes.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
@@ -140,7 +142,7 @@ namespace
 
 
 
-  /// With gaps the bodies are free, so that the translations of the middle one
+  /// With gaps the bodies are free, so that the rigid motions of the middle one
   /// are a null space.
   template <int dim>
   void
@@ -170,12 +172,12 @@ namespace
           u = z;
         A.vmult(forces, u);
         smallest_mode = std::min(smallest_mode, u.linfty_norm());
-        if (m < space.n_vectors - dim) // all bodies, of which one is held
+        if (m < RigidBodyModes<dim>::n_modes) // all bodies, one of them held
           smallest_held = std::min(smallest_held, forces.linfty_norm());
         else // middle
           largest = std::max(largest, forces.linfty_norm());
       }
-    print("translations of the middle body are in the null space",
+    print("rigid motions of the middle body are in the null space",
           largest < 1e-12);
     print("motions of all bodies are not, where one is held",
           smallest_held > 1e-3);
