@@ -15,6 +15,10 @@
 #include <cstdlib>
 #include <iostream>
 
+#ifdef __GLIBC__
+#  include <malloc.h>
+#endif
+
 namespace
 {
   using namespace stickslip;
@@ -28,6 +32,23 @@ namespace
     internal_error    = 3,
     check_falls_short = 4
   };
+
+
+
+  /**
+   * Large blocks of memory go back to the system when they are freed. That is
+   * how the C library starts, but SuperLU_DIST, which comes with PETSc,
+   * switches it off when it is loaded.
+   */
+  void
+  return_free_memory()
+  {
+#ifdef __GLIBC__
+    mallopt(M_MMAP_MAX, 65536);
+    mallopt(M_MMAP_THRESHOLD, 1 << 20);
+    mallopt(M_TRIM_THRESHOLD, 1 << 20);
+#endif
+  }
 
 
 
@@ -141,6 +162,7 @@ main(int argc, char **argv)
 {
   // One thread per rank: MPI is the parallelism.
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  return_free_memory();
   const auto report = [](const std::string &kind, const std::string &text) {
     if (is_speaker())
       std::cerr << "stickslip: " << kind << ": " << text << std::endl;

@@ -38,42 +38,5 @@ namespace stickslip
           entries[position] += weight * values[k];
         }
     }
-
-
-
-    void
-    AlgebraicMultigrid::initialize(const SparseMatrix &matrix,
-                                   const unsigned int  n_components,
-                                   const unsigned int  n_vectors,
-                                   const double       *near_null_space)
-    {
-      Teuchos::ParameterList list;
-      list.set("ML output", 0);
-      list.set("max levels", 10);
-      list.set("increasing or decreasing", "increasing");
-      list.set("prec type", "MGV");
-      list.set("PDE equations", static_cast<int>(n_components));
-      list.set("aggregation: type", "Uncoupled");
-      list.set("aggregation: threshold", 0.);
-      list.set("aggregation: damping factor", 4. / 3.);
-      list.set("eigen-analysis: type", "cg");
-      // ML's own sweeps are three times as fast as those of Ifpack
-      list.set("smoother: type", "ML symmetric Gauss-Seidel");
-      list.set("smoother: sweeps", 1);
-      list.set("smoother: damping factor", 1.);
-      list.set("smoother: pre or post", "both");
-      list.set("coarse: type", "Amesos-KLU");
-      list.set("coarse: max size", 1000);
-      if (n_vectors > 0)
-        {
-          list.set("null space: type", "pre-computed");
-          list.set("null space: dimension", static_cast<int>(n_vectors));
-          // ML only reads them
-          list.set("null space: vectors",
-                   const_cast<double *>(near_null_space));
-          list.set("null space: add default vectors", false);
-        }
-      hierarchy.initialize(matrix, list);
-    }
   } // namespace LA
 } // namespace stickslip

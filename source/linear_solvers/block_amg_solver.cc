@@ -3,6 +3,7 @@
 #include <stickslip/linear_solvers/block_amg_solver.h>
 
 #include <deal.II/lac/solver_gmres.h>
+#include <deal.II/lac/vector_memory.h>
 
 #include <algorithm>
 #include <cmath>
@@ -78,15 +79,11 @@ namespace stickslip
   BlockAmgSolver::build_hierarchy()
   {
     multigrid.clear();
+    LA::SparseMatrix added;
     if (has_multipliers)
-      {
-        augmented_matrix.clear();
-        augmentation.build_matrix(augmented_matrix);
-        built_stiffness = augmentation.added_stiffness();
-        multigrid.reinit(augmented_matrix, *description);
-      }
-    else
-      multigrid.reinit(matrix->block(0, 0), *description);
+      augmentation.build_matrix(added);
+    built_stiffness = augmentation.added_stiffness();
+    multigrid.reinit(matrix->block(0, 0), added, *description);
     near_null_space = description->near_null_space;
     is_fresh        = true;
     rebuild         = false;
@@ -144,9 +141,7 @@ namespace stickslip
     residual.reinit(unscaled);
     if (has_multipliers)
       zone.factorise(system, new_layout);
-    // without contact the hierarchy refers to the matrix itself
-    if (description->near_null_space != near_null_space || rebuild ||
-        !has_multipliers)
+    if (description->near_null_space != near_null_space || rebuild)
       build_hierarchy();
     else
       is_outdated = hierarchy_is_outdated();
@@ -233,6 +228,8 @@ namespace stickslip
           iterate(x, rhs, tolerance, parameters.max_iterations, converged);
         result.iterations += iterations;
       }
+    // its pool would keep them
+    GrowingVectorMemory<LA::BlockVector>::release_unused_memory();
     result.multigrid_setups = n_new;
     n_new                   = 0;
     if (!converged)

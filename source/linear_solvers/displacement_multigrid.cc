@@ -5,41 +5,74 @@
 
 namespace stickslip
 {
-  void
-  DisplacementMultigrid::clear()
+  namespace
   {
-    hierarchy.clear();
-    fine_smoother.clear();
-  }
+    /// Nodes of @p n_components consecutive unknowns.
+    NodeSpace
+    nodes_of(const IndexSet    &unknowns,
+             const unsigned int n_components,
+             const MPI_Comm    &communicator)
+    {
+      AssertThrow(unknowns.n_elements() % n_components == 0,
+                  ExcMessage("A node is on two ranks."));
+      return NodeSpace(std::vector<unsigned int>(unknowns.n_elements() /
+                                                   n_components,
+                                                 n_components),
+                       communicator);
+    }
+
+
+
+    Modes
+    modes_of(const NearNullSpace &space, const unsigned int n_unknowns)
+    {
+      Modes modes;
+      modes.n_vectors = space.n_vectors;
+      modes.values.resize(space.values.size());
+      for (unsigned int v = 0; v < space.n_vectors; ++v)
+        for (unsigned int i = 0; i < n_unknowns; ++i)
+          modes.values[i * space.n_vectors + v] =
+            space.values[v * n_unknowns + i];
+      return modes;
+    }
+  } // namespace
 
 
 
   void
   DisplacementMultigrid::reinit(const LA::SparseMatrix       &matrix,
+                                const LA::SparseMatrix       &added,
                                 const BlockSystemDescription &description)
   {
-    fine_matrix     = &matrix;
-    prolongation    = description.prolongation;
-    near_null_space = description.near_null_space;
+    const MPI_Comm     communicator = matrix.get_mpi_communicator();
+    const unsigned int n            = description.n_components;
     clear();
     try
       {
-        if (!prolongation)
+        const NodeSpace nodes =
+          nodes_of(matrix.locally_owned_range_indices(), n, communicator);
+        NodeSpace        linear_nodes;
+        BlockRows<float> prolongation;
+        if (description.prolongation)
           {
-            hierarchy.initialize(matrix,
-                                 description.n_components,
-                                 near_null_space->n_vectors,
-                                 near_null_space->values.data());
-            return;
+            linear_nodes =
+              nodes_of(description.prolongation->locally_owned_domain_indices(),
+                       n,
+                       communicator);
+            prolongation =
+              read_blocks<float>({description.prolongation.get()}, n, false);
           }
-        LA::SparseMatrix product;
-        matrix.mmult(product, *prolongation);
-        prolongation->Tmmult(coarse_matrix, product);
-        hierarchy.initialize(coarse_matrix,
-                             description.n_components,
-                             near_null_space->n_vectors,
-                             near_null_space->values.data());
-        fine_smoother.initialize(matrix);
+        std::vector<const LA::SparseMatrix *> parts(1, &matrix);
+        if (added.m() > 0)
+          parts.push_back(&added);
+        hierarchy.reinit(BlockMatrix<double>(
+                           read_blocks<double>(parts, n, true), nodes, nodes),
+                         std::move(prolongation),
+                         linear_nodes,
+                         modes_of(*description.near_null_space,
+                                  description.prolongation
+                                    ? linear_nodes.n_owned_unknowns()
+                                    : nodes.n_owned_unknowns()));
       }
     catch (const std::exception &error)
       {
@@ -48,33 +81,5 @@ namespace stickslip
                               short_message(error),
                             FailureCause::linear_solver);
       }
-    const IndexSet fine         = matrix.locally_owned_range_indices();
-    const IndexSet coarse       = coarse_matrix.locally_owned_range_indices();
-    const MPI_Comm communicator = matrix.get_mpi_communicator();
-    residual.reinit(fine, communicator);
-    correction.reinit(fine, communicator);
-    coarse_residual.reinit(coarse, communicator);
-    coarse_correction.reinit(coarse, communicator);
-  }
-
-
-
-  void
-  DisplacementMultigrid::vmult(LA::Vector &x, const LA::Vector &b) const
-  {
-    if (!prolongation)
-      {
-        hierarchy.vmult(x, b);
-        return;
-      }
-    fine_smoother.vmult(x, b);
-    fine_matrix->residual(residual, x, b);
-    prolongation->Tvmult(coarse_residual, residual);
-    hierarchy.vmult(coarse_correction, coarse_residual);
-    prolongation->vmult(correction, coarse_correction);
-    x += correction;
-    fine_matrix->residual(residual, x, b);
-    fine_smoother.vmult(correction, residual);
-    x += correction;
   }
 } // namespace stickslip

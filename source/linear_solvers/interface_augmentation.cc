@@ -11,14 +11,12 @@ namespace stickslip
       std::vector<double>                  values;
 
       void
-      read(const LA::SparseMatrix       &matrix,
-           const types::global_dof_index row,
-           const bool                    with_zeros)
+      read(const LA::SparseMatrix &matrix, const types::global_dof_index row)
       {
         columns.clear();
         values.clear();
         LA::visit_row(matrix, row, [&](const auto column, const double value) {
-          if (with_zeros || value != 0.)
+          if (value != 0.)
             {
               columns.push_back(column);
               values.push_back(value);
@@ -52,51 +50,41 @@ namespace stickslip
 
 
   void
-  InterfaceAugmentation::build_matrix(LA::SparseMatrix &augmented) const
+  InterfaceAugmentation::build_matrix(LA::SparseMatrix &added) const
   {
-    const LA::SparseMatrix &A     = matrix->block(0, 0);
     const LA::SparseMatrix &B     = matrix->block(1, 0);
-    const IndexSet          owned = A.locally_owned_range_indices();
+    const IndexSet          owned = force.locally_owned_elements();
     StoredRow               row;
 
+    // hardly any row has entries
     LA::SparsityPattern pattern(owned,
                                 owned,
-                                A.get_mpi_communicator(),
-                                LA::longest_row(A));
-    for (const auto i : owned)
-      {
-        row.read(A, i, true);
-        pattern.add_entries(i, row.columns.begin(), row.columns.end());
-      }
+                                matrix->block(0, 0).get_mpi_communicator(),
+                                0);
     for (const auto i : inverse.locally_owned_elements())
       if (inverse(i) > 0.)
         {
-          row.read(B, i, false);
+          row.read(B, i);
           for (const auto j : row.columns)
             pattern.add_entries(j, row.columns.begin(), row.columns.end());
         }
     pattern.compress();
-    augmented.reinit(pattern);
+    added.reinit(pattern);
 
-    for (const auto i : owned)
-      {
-        row.read(A, i, true);
-        augmented.add(i, row.columns, row.values, false);
-      }
     std::vector<double> product;
     for (const auto i : inverse.locally_owned_elements())
       if (inverse(i) > 0.)
         {
-          row.read(B, i, false);
+          row.read(B, i);
           for (unsigned int k = 0; k < row.columns.size(); ++k)
             {
               product = row.values;
               for (double &value : product)
                 value *= row.values[k] * inverse(i);
-              augmented.add(row.columns[k], row.columns, product, false);
+              added.add(row.columns[k], row.columns, product, false);
             }
         }
-    augmented.compress(VectorOperation::add);
+    added.compress(VectorOperation::add);
   }
 
 

@@ -127,12 +127,15 @@ namespace stickslip
         dim, DataComponentInterpretation::component_is_part_of_vector));
     if (material.evaluate)
       {
-        projection = std::make_unique<StressProjection<dim>>(mapping,
+        projection       = std::make_unique<StressProjection<dim>>(mapping,
                                                              dof_handler,
                                                              material);
-        data_out.add_data_vector(projection->get_dof_handler(),
-                                 projection->get_values(),
-                                 projection->names());
+        const auto names = projection->names();
+        for (unsigned int c = 0; c < names.size(); ++c)
+          data_out.add_data_vector(projection->get_dof_handler(),
+                                   projection->get_fields()[c],
+                                   names[c]);
+        projection->clear_fields(); // data_out has copies
       }
     cell_fields.attach_to(data_out);
 
@@ -150,6 +153,7 @@ namespace stickslip
                              DataOut<dim>::curved_inner_cells);
     else
       data_out.build_patches(mapping, degree, DataOut<dim>::curved_inner_cells);
+    data_out.clear_input_data_references(); // the patches have the values
 
     series.write(data_out,
                  step,

@@ -166,7 +166,17 @@ namespace stickslip
                                     static_cast<int>(rank),
                                     &group_communicator);
     AssertThrowMPI(ierr);
-    data.write_vtu_in_parallel(piece + ".part", group_communicator);
+    bool failed = false;
+    if (Utilities::MPI::n_mpi_processes(group_communicator) == 1)
+      {
+        // the parallel way keeps the whole text in memory
+        std::ofstream file(piece + ".part");
+        data.write_vtu(file);
+        file.close();
+        failed = !file;
+      }
+    else
+      data.write_vtu_in_parallel(piece + ".part", group_communicator);
     MPI_Barrier(group_communicator);
     const bool is_first =
       Utilities::MPI::this_mpi_process(group_communicator) == 0;
@@ -177,7 +187,8 @@ namespace stickslip
       std::filesystem::rename(piece + ".part", piece, rename_error);
 
     // Only now may the record name the pieces.
-    if (Utilities::MPI::max(rename_error ? 1 : 0, communicator) > 0)
+    failed = failed || rename_error;
+    if (Utilities::MPI::max(failed ? 1 : 0, communicator) > 0)
       return "Cannot write '" + piece + "'.";
     if (rank != 0)
       return "";

@@ -3,7 +3,6 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <deal.II/fe/fe_dgq.h>
-#include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/fe_values.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -94,15 +93,15 @@ namespace stickslip
     : history_names(material.history_names)
     , dof_handler(displacement_dof_handler.get_triangulation())
   {
-    const FE_DGQ<dim> scalar_element(1);
-    dof_handler.distribute_dofs(FESystem<dim>(scalar_element, names().size()));
-    const FiniteElement<dim> &element = dof_handler.get_fe();
-    values.reinit(dof_handler.locally_owned_dofs(),
-                  dof_handler.get_communicator());
+    const FE_DGQ<dim> element(1);
+    dof_handler.distribute_dofs(element);
+    fields.assign(names().size(),
+                  Field(dof_handler.locally_owned_dofs(),
+                        dof_handler.get_communicator()));
 
     const QGauss<dim> quadrature(displacement_dof_handler.get_fe().degree + 1);
     FEValues<dim>     fe_values(mapping,
-                            scalar_element,
+                            element,
                             quadrature,
                             update_values | update_JxW_values);
 
@@ -132,12 +131,9 @@ namespace stickslip
                                          cell_values,
                                          &components);
               for (unsigned int c = 0; c < node_values.size(); ++c)
-                values(
-                  dof_indices[element.component_to_system_index(c, node)]) =
-                  node_values[c];
+                fields[c](dof_indices[node]) = node_values[c];
             }
         }
-    values.compress(VectorOperation::insert);
   }
 
 
@@ -152,10 +148,19 @@ namespace stickslip
 
 
   template <int dim>
-  const LA::Vector &
-  StressProjection<dim>::get_values() const
+  const std::vector<typename StressProjection<dim>::Field> &
+  StressProjection<dim>::get_fields() const
   {
-    return values;
+    return fields;
+  }
+
+
+
+  template <int dim>
+  void
+  StressProjection<dim>::clear_fields()
+  {
+    fields.clear();
   }
 
 

@@ -55,7 +55,8 @@ namespace stickslip
     // that hops between facets costs one rebuild, not one per hop.
     if (couplings_are_known() && !is_outdated)
       return false;
-    is_outdated                             = false;
+    is_outdated = false;
+    matrix.clear(); // not two of them at a time
     const auto                 &multipliers = contact.multipliers();
     const std::vector<IndexSet> owned       = {dofs.owned,
                                                multipliers.locally_owned()};
@@ -98,7 +99,6 @@ namespace stickslip
     for (const auto i : multipliers.locally_owned())
       pattern.block(1, 1).add(i, i);
     pattern.compress();
-    matrix.clear();
     matrix.reinit(pattern);
     return true;
   }

@@ -74,7 +74,7 @@ namespace stickslip
     const double radius = 0.5 * corners.first.distance(corners.second);
 
     NearNullSpace space;
-    space.n_vectors = n_modes + (n_colours - 1) * dim;
+    space.n_vectors = n_modes * n_colours;
     space.values.assign(space.n_vectors * n_owned, 0.);
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
     for (const auto &cell : dof_handler.active_cell_iterators())
@@ -99,10 +99,13 @@ namespace stickslip
             double *const value =
               space.values.data() + owned.index_within_set(dofs[i]);
             for (unsigned int m = 0; m < n_modes; ++m)
-              value[m * n_owned] =
-                rigid_mode<dim>(m, (position - centre) / radius)[component];
-            if (colour > 0)
-              value[(n_modes + (colour - 1) * dim + component) * n_owned] = 1.;
+              {
+                const double motion =
+                  rigid_mode<dim>(m, (position - centre) / radius)[component];
+                value[m * n_owned] = motion;
+                if (colour > 0)
+                  value[(n_modes * colour + m) * n_owned] = motion;
+              }
           }
       }
     return space;

@@ -6,7 +6,6 @@
 #include <deal.II/lac/trilinos_block_sparse_matrix.h>
 #include <deal.II/lac/trilinos_index_access.h>
 #include <deal.II/lac/trilinos_parallel_block_vector.h>
-#include <deal.II/lac/trilinos_precondition.h>
 #include <deal.II/lac/trilinos_solver.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
@@ -32,8 +31,6 @@ namespace stickslip
     using BlockSparseMatrix    = TrilinosWrappers::BlockSparseMatrix;
     using SparsityPattern      = TrilinosWrappers::SparsityPattern;
     using BlockSparsityPattern = TrilinosWrappers::BlockSparsityPattern;
-    /// One sweep forwards and one backwards, within a rank.
-    using SymmetricGaussSeidel = TrilinosWrappers::PreconditionSSOR;
     /// A factorization: initialize(matrix), then solve(x, b).
     using DirectSolver = TrilinosWrappers::SolverDirect;
 
@@ -110,44 +107,6 @@ namespace stickslip
     private:
       SparseMatrix    &matrix;
       std::vector<int> positions; ///< of local columns in the present row
-    };
-
-
-
-    /**
-     * Algebraic multigrid by smoothed aggregation (ML): V-cycles with one
-     * symmetric Gauss-Seidel sweep before and after, a direct solver on the
-     * coarsest level.
-     */
-    class AlgebraicMultigrid
-    {
-    public:
-      /**
-       * @p n_components consecutive rows belong to one node; @p near_null_space
-       * holds @p n_vectors vectors of owned rows, one after the other. Matrix
-       * and vectors must stay as they are. Collective.
-       */
-      void
-      initialize(const SparseMatrix &matrix,
-                 const unsigned int  n_components,
-                 const unsigned int  n_vectors,
-                 const double       *near_null_space);
-
-      /// One cycle with a zero initial guess. Collective.
-      void
-      vmult(Vector &x, const Vector &b) const
-      {
-        hierarchy.vmult(x, b);
-      }
-
-      void
-      clear()
-      {
-        hierarchy.clear();
-      }
-
-    private:
-      TrilinosWrappers::PreconditionAMG hierarchy;
     };
   } // namespace LA
 

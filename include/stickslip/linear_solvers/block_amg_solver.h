@@ -45,8 +45,7 @@ namespace stickslip
     unsigned int                  layout          = 0;
 
     InterfaceAugmentation augmentation;
-    LA::SparseMatrix      augmented_matrix;
-    LA::Vector            built_stiffness; ///< added to augmented_matrix
+    LA::Vector            built_stiffness; ///< added in the hierarchy
     DisplacementMultigrid multigrid;
     /// of the hierarchy
     std::shared_ptr<const NearNullSpace> near_null_space;

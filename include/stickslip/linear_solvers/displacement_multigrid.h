@@ -3,38 +3,44 @@
 
 #include <stickslip/base/block_system.h>
 
+#include <stickslip/linear_solvers/smoothed_aggregation.h>
+
 namespace stickslip
 {
   /**
    * One multigrid cycle for a matrix of displacements: algebraic multigrid by
    * smoothed aggregation with the near null space of the description. For
-   * elements of a higher degree it works on the linear ones (Galerkin), with a
-   * symmetric Gauss-Seidel sweep on the fine matrix before and after.
+   * elements of a higher degree the second level is that of the linear ones
+   * (Galerkin).
    */
   class DisplacementMultigrid
   {
   public:
-    /// Keeps a reference to @p matrix. Throws NoConvergence. Collective.
+    /**
+     * Makes the hierarchy of the sum of @p matrix and @p added (which may be
+     * empty), and keeps copies of what it needs. Throws NoConvergence.
+     * Collective.
+     */
     void
     reinit(const LA::SparseMatrix       &matrix,
+           const LA::SparseMatrix       &added,
            const BlockSystemDescription &description);
 
-    /// Forgets the matrix; must be called before it is changed.
     void
-    clear();
+    clear()
+    {
+      hierarchy.clear();
+    }
 
     /// One cycle with a zero initial guess. Collective.
     void
-    vmult(LA::Vector &x, const LA::Vector &b) const;
+    vmult(LA::Vector &x, const LA::Vector &b) const
+    {
+      hierarchy.vmult(x, b);
+    }
 
   private:
-    const LA::SparseMatrix                 *fine_matrix = nullptr;
-    std::shared_ptr<const LA::SparseMatrix> prolongation;
-    std::shared_ptr<const NearNullSpace>    near_null_space;
-    LA::SymmetricGaussSeidel                fine_smoother;
-    LA::SparseMatrix                        coarse_matrix;
-    LA::AlgebraicMultigrid                  hierarchy;
-    mutable LA::Vector residual, correction, coarse_residual, coarse_correction;
+    SmoothedAggregation hierarchy;
   };
 } // namespace stickslip
 

@@ -26,9 +26,10 @@ namespace stickslip
            const BlockSystemDescription &description,
            const double                  factor);
 
-    /// A + B^T D^-1 B as a new matrix. Collective.
+    /// B^T D^-1 B as a new matrix, with rows that are empty away from the
+    /// surfaces. Collective.
     void
-    build_matrix(LA::SparseMatrix &augmented) const;
+    build_matrix(LA::SparseMatrix &added) const;
 
     /// Adds B^T D^-1 @p multipliers to @p displacements. Collective.
     void

@@ -30,11 +30,10 @@ namespace stickslip
   /**
    * Nodal vectors of @p dof_handler (FE_Q^dim): the rigid motions of all
    * bodies together (3 in 2D, 6 in 3D; rotations about the centre of the model
-   * and scaled with its size), then for each colour above 0 the translations
-   * of its bodies alone. An aggregate of multigrid inside a body needs the
-   * first ones only; where it takes nodes of two bodies, the others let them
-   * slide and open. Rotations of one body against the other there are left
-   * out: they cost more (memory, set-up) than they save. Zero where
+   * and scaled with its size), then for each colour above 0 those of its bodies
+   * alone. An aggregate of multigrid inside a body has no use for the second
+   * ones and drops them; where it takes nodes of two bodies, they let these
+   * slide, open and turn. Zero where
    * @p constraints constrain and on rigid bodies. Collective.
    */
   template <int dim>

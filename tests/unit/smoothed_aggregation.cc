@@ -1,0 +1,351 @@
+// Smoothed aggregation: columns of an aggregate, convergence on elasticity,
+// with one body and with two that a thin spring layer couples, the same on any
+// number of ranks; the product P^T A P against products with vectors.
+
+#include <stickslip/linear_solvers/displacement_multigrid.h>
+#include <stickslip/linear_solvers/galerkin_product.h>
+
+#include <stickslip/solid/rigid_body_modes.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <deal.II/lac/solver_cg.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+using namespace stickslip;
+
+namespace
+{
+  void
+  print(const std::string &text)
+  {
+    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::cout << text << std::endl;
+  }
+
+
+
+  void
+  print(const std::string &text, const bool holds)
+  {
+    print("  " + text + ": " + (holds ? "yes" : "NO"));
+  }
+
+
+
+  /**
+   * A lattice of n x n x 2n nodes at distance 1, with central springs between
+   * neighbours (edges, and diagonals of faces and of the cubes): an elastic
+   * body. All springs across the middle are weaker by @p coupling, and so are
+   * those of the upper half by @p contrast. The lowest layer is held.
+   */
+  class Lattice
+  {
+  public:
+    Lattice(const unsigned int n, const double coupling, const double contrast)
+      : n(n)
+    {
+      const unsigned int n_nodes = 2 * n * n * n;
+      const unsigned int n_ranks =
+                           Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
+                         rank =
+                           Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+      // ranks of different sizes, so that none ends where the bodies meet
+      const auto first = [&](const unsigned int r) {
+        return n_nodes * r * (r + 1) / (n_ranks * (n_ranks + 1));
+      };
+      const unsigned int begin = first(rank), end = first(rank + 1);
+      owned.set_size(3 * n_nodes);
+      owned.add_range(3 * begin, 3 * end);
+      LA::SparsityPattern pattern(owned, owned, MPI_COMM_WORLD, 81);
+      visit_springs(begin, end, [&](const auto i, const auto j, const auto &) {
+        for (unsigned int c = 0; c < 3; ++c)
+          for (unsigned int d = 0; d < 3; ++d)
+            {
+              pattern.add(3 * i + c, 3 * i + d);
+              pattern.add(3 * i + c, 3 * j + d);
+            }
+      });
+      pattern.compress();
+      matrix.reinit(pattern);
+      visit_springs(
+        begin, end, [&](const auto i, const auto j, const auto &direction) {
+          const bool   upper_i = height(i) >= n, upper_j = height(j) >= n;
+          const double stiffness =
+            upper_i != upper_j ? coupling : (upper_i ? contrast : 1.);
+          add_spring(i, j, stiffness, direction);
+        });
+      matrix.compress(VectorOperation::add);
+
+      description.n_components = 3;
+      auto modes               = std::make_shared<NearNullSpace>();
+      modes->n_vectors         = 12;
+      modes->values.assign(12 * owned.n_elements(), 0.);
+      for (unsigned int i = begin; i < end; ++i)
+        if (height(i) > 0)
+          for (unsigned int c = 0; c < 3; ++c)
+            {
+              double *const value =
+                modes->values.data() + owned.index_within_set(3 * i + c);
+              for (unsigned int m = 0; m < 6; ++m)
+                {
+                  const double motion = rigid_mode<3>(m, position(i) / n)[c];
+                  value[m * owned.n_elements()] = motion;
+                  if (height(i) >= n)
+                    value[(6 + m) * owned.n_elements()] = motion;
+                }
+            }
+      description.near_null_space = modes;
+    }
+
+    unsigned int
+    height(const unsigned int node) const
+    {
+      return node / (n * n);
+    }
+
+    const unsigned int     n;
+    IndexSet               owned;
+    LA::SparseMatrix       matrix;
+    BlockSystemDescription description;
+
+  private:
+    Point<3>
+    position(const unsigned int node) const
+    {
+      return Point<3>(node % n, node / n % n, height(node));
+    }
+
+    /// All neighbours of owned nodes.
+    template <typename Visitor>
+    void
+    visit_springs(const unsigned int begin,
+                  const unsigned int end,
+                  const Visitor     &visit) const
+    {
+      for (unsigned int i = begin; i < end; ++i)
+        for (int k = 0; k < 27; ++k)
+          {
+            const Tensor<1, 3> step =
+              Point<3>(k % 3, k / 3 % 3, k / 9) - Point<3>(1., 1., 1.);
+            const Point<3> neighbour = position(i) + step;
+            if (k != 13 &&
+                std::min({neighbour[0], neighbour[1], neighbour[2]}) >= 0. &&
+                std::max(neighbour[0], neighbour[1]) < n &&
+                neighbour[2] < 2. * n)
+              visit(i,
+                    static_cast<unsigned int>(
+                      neighbour[0] + n * (neighbour[1] + n * neighbour[2])),
+                    step / step.norm());
+          }
+    }
+
+    void
+    add_spring(const unsigned int  i,
+               const unsigned int  j,
+               const double        stiffness,
+               const Tensor<1, 3> &direction)
+    {
+      for (unsigned int c = 0; c < 3; ++c)
+        for (unsigned int d = 0; d < 3; ++d)
+          {
+            const double value = stiffness * direction[c] * direction[d];
+            if (height(i) == 0) // held
+              matrix.add(3 * i + c, 3 * i + d, c == d ? 1. : 0.);
+            else
+              {
+                matrix.add(3 * i + c, 3 * i + d, value);
+                if (height(j) > 0)
+                  matrix.add(3 * i + c, 3 * j + d, -value);
+              }
+          }
+    }
+  };
+
+
+
+  unsigned int
+  n_cg_iterations(const Lattice &lattice)
+  {
+    DisplacementMultigrid multigrid;
+    multigrid.reinit(lattice.matrix, LA::SparseMatrix(), lattice.description);
+    LA::Vector x(lattice.owned, MPI_COMM_WORLD), b(x);
+    for (const auto i : lattice.owned)
+      b(i) = std::sin(1. + 7. * i);
+    b.compress(VectorOperation::insert);
+    SolverControl        control(200, 1e-8 * b.l2_norm(), false, false);
+    SolverCG<LA::Vector> solver(control);
+    solver.solve(lattice.matrix, x, b, multigrid);
+    return control.last_step();
+  }
+
+
+
+  void
+  test_convergence()
+  {
+    print("Conjugate gradients to 1e-8");
+    for (const auto &[name, coupling, contrast] :
+         {std::make_tuple("one body", 1., 1.),
+          std::make_tuple("weakly coupled", 1e-3, 1.),
+          std::make_tuple("stiff above", 1., 1e3)})
+      {
+        const unsigned int coarse =
+                             n_cg_iterations(Lattice(6, coupling, contrast)),
+                           fine =
+                             n_cg_iterations(Lattice(12, coupling, contrast));
+        print(std::string(name) +
+                ": at most 14 iterations, and at most 4 more "
+                "with 8 times as many unknowns",
+              fine <= 14 && fine <= coarse + 4);
+      }
+  }
+
+
+
+  /// Largest difference of two vectors' owned parts beside the first one.
+  double
+  difference(const std::vector<double> &a,
+             const std::vector<double> &b,
+             const unsigned int         n)
+  {
+    double largest = 0., scale = 0.;
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        largest = std::max(largest, std::abs(a[i] - b[i]));
+        scale   = std::max(scale, std::abs(a[i]));
+      }
+    return Utilities::MPI::max(largest, MPI_COMM_WORLD) /
+           Utilities::MPI::max(scale, MPI_COMM_WORLD);
+  }
+
+
+
+  std::vector<double>
+  vector_of(const NodeSpace &space)
+  {
+    std::vector<double> x(space.begin(space.n_local()), 0.);
+    for (unsigned int i = 0; i < space.n_owned_unknowns(); ++i)
+      x[i] = std::sin(1. + 7. * space.global_unknown(i));
+    return x;
+  }
+
+
+
+  /// The first coarse level of two bodies, which touch or not.
+  void
+  test_coarse_level(const bool touches)
+  {
+    print(touches ? "Two bodies that touch" : "Two bodies apart");
+    const Lattice   lattice(8, touches ? 1. : 0., 1.);
+    const NodeSpace nodes(
+      std::vector<unsigned int>(lattice.owned.n_elements() / 3, 3),
+      MPI_COMM_WORLD);
+    const BlockMatrix<double> A(read_blocks<double>({&lattice.matrix}, 3, true),
+                                nodes,
+                                nodes);
+    const NodeSpace          &space = A.column_space();
+
+    Modes       modes;
+    const auto &given = *lattice.description.near_null_space;
+    modes.n_vectors   = given.n_vectors;
+    for (unsigned int i = 0; i < space.n_owned_unknowns(); ++i)
+      for (unsigned int m = 0; m < given.n_vectors; ++m)
+        modes.values.push_back(given.values[m * space.n_owned_unknowns() + i]);
+    const auto aggregates = find_aggregates(A);
+    const auto tentative  = tentative_prolongation(space, aggregates, modes);
+
+    std::vector<bool> has_lower(aggregates.n), has_upper(aggregates.n);
+    bool              all_are_in = true;
+    for (unsigned int node = 0; node < space.n_owned(); ++node)
+      {
+        const unsigned int height    = lattice.height(space.global(node)),
+                           aggregate = aggregates.of_node[node];
+        all_are_in =
+          all_are_in && (aggregate == Aggregates::none) == (height == 0);
+        if (height > 0)
+          (height >= lattice.n ? has_upper : has_lower)[aggregate] = true;
+      }
+    bool         columns_are_right = true;
+    unsigned int n_crossing        = 0;
+    for (unsigned int a = 0; a < aggregates.n; ++a)
+      {
+        const bool crosses = has_lower[a] && has_upper[a];
+        n_crossing += crosses;
+        columns_are_right =
+          columns_are_right && tentative.coarse.size(a) == (crosses ? 12 : 6);
+      }
+    n_crossing = Utilities::MPI::sum(n_crossing, MPI_COMM_WORLD);
+    print("all nodes that are free are in aggregates",
+          Utilities::MPI::min(all_are_in ? 1 : 0, MPI_COMM_WORLD) == 1);
+    print("six columns inside a body, twelve across the surface",
+          Utilities::MPI::min(columns_are_right ? 1 : 0, MPI_COMM_WORLD) == 1);
+    print("aggregates cross the surface if bodies touch",
+          (n_crossing > 0) == touches);
+
+    BlockMatrix<double> P0(BlockRows<double>(tentative.rows),
+                           space,
+                           tentative.coarse);
+    double              error = 0.;
+    for (unsigned int m = 0; m < modes.n_vectors; ++m)
+      {
+        std::vector<double> coarse, fine(space.n_owned_unknowns(), 0.), exact;
+        for (unsigned int i = 0; i < tentative.coarse.n_owned_unknowns(); ++i)
+          coarse.push_back(
+            tentative.coarse_modes.values[i * modes.n_vectors + m]);
+        P0.vmult_add(fine, coarse);
+        for (unsigned int i = 0; i < fine.size(); ++i)
+          exact.push_back(modes.values[i * modes.n_vectors + m]);
+        error = std::max(error, difference(exact, fine, fine.size()));
+      }
+    print("all modes are represented", error < 1e-12);
+
+    BlockGaussSeidel smoother;
+    smoother.reinit(A);
+    auto P_rows =
+      smoothed_prolongation(A, smoother, tentative.rows, tentative.coarse);
+    const BlockMatrix<double> product(galerkin_product(A,
+                                                       P_rows,
+                                                       tentative.coarse),
+                                      tentative.coarse,
+                                      tentative.coarse);
+    const BlockMatrix<float>  P(std::move(P_rows), space, tentative.coarse);
+    const unsigned int        n = tentative.coarse.n_owned_unknowns();
+
+    std::vector<double> x = vector_of(product.column_space()), y(n, 0.);
+    product.column_space().update_ghosts(x);
+    product.vmult_add(y, x);
+    std::vector<double> coarse = vector_of(P.column_space());
+    P.column_space().update_ghosts(coarse);
+    std::vector<double> fine(space.begin(space.n_local()), 0.),
+      forces(space.n_owned_unknowns(), 0.), restricted;
+    P.vmult_add(fine, coarse);
+    space.update_ghosts(fine);
+    A.vmult_add(forces, fine);
+    P.Tvmult(restricted, forces);
+    print("P^T A P is that of products with vectors",
+          difference(restricted, y, n) < 1e-12);
+
+    // a sweep leaves the residual that it says
+    std::vector<double>       u, residual, again(space.n_owned_unknowns());
+    const std::vector<double> b = vector_of(space);
+    smoother.solve(u, residual, b);
+    A.residual(again, u, b);
+    print("a sweep leaves the residual that it says",
+          difference(again, residual, again.size()) < 1e-12);
+  }
+} // namespace
+
+
+
+int
+main(int argc, char **argv)
+{
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test_coarse_level(false);
+  test_coarse_level(true);
+  test_convergence();
+}
