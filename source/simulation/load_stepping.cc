@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace stickslip
@@ -12,6 +13,19 @@ namespace stickslip
   {
     /// Times closer than this fraction of the whole interval are the same.
     constexpr double same_time = 1e-10;
+
+    /// Steps whose Newton iterations tell what a step costs.
+    constexpr unsigned int n_remembered = 3;
+
+    /// A step that costs so many times as much as the costliest of them has
+    /// cost more than two halves would.
+    constexpr unsigned int costly = 3;
+
+    /// As many iterations are always allowed: it is early to judge.
+    constexpr unsigned int always_allowed = 100;
+
+    /// Most easy steps that growth waits for.
+    constexpr unsigned int longest_patience = 8;
   } // namespace
 
 
@@ -38,11 +52,16 @@ namespace stickslip
                       Patterns::Double(0.));
     prm.add_parameter("Cut factor",
                       cut_factor,
-                      "A failed step is multiplied by this.",
+                      "A failed step is multiplied by this. Failed is also one "
+                      "that takes more than a hundred Newton iterations and "
+                      "three times those of any of the last three steps, "
+                      "unless the cut step would be too small.",
                       Patterns::Double(0.01, 0.99));
     prm.add_parameter("Growth factor",
                       growth_factor,
-                      "After an easy step the next one is multiplied by this.",
+                      "After an easy step the next one is multiplied by this; "
+                      "after a cut when two steps in a row have been easy, or "
+                      "up to eight if larger steps keep failing.",
                       Patterns::Double(1.));
     prm.add_parameter("Easy iterations",
                       easy_iterations,
@@ -158,13 +177,46 @@ namespace stickslip
 
 
 
+  unsigned int
+  LoadStepping::iteration_limit() const
+  {
+    if (last_iterations.empty() || !can_be_cut())
+      return std::numeric_limits<unsigned int>::max();
+    const unsigned int most =
+      *std::max_element(last_iterations.begin(), last_iterations.end());
+    return std::max(costly * most, always_allowed);
+  }
+
+
+
   void
   LoadStepping::accept_step(const unsigned int newton_iterations)
   {
     current_time = proposed_time;
     ++n_accepted;
-    if (newton_iterations <= parameters.easy_iterations)
-      step = std::min(step * parameters.growth_factor, parameters.maximum_step);
+    last_iterations.push_back(newton_iterations);
+    if (last_iterations.size() > n_remembered)
+      last_iterations.pop_front();
+
+    if (has_grown)
+      patience = std::max(patience / 2, 1U);
+    n_easy = newton_iterations <= parameters.easy_iterations ? n_easy + 1 : 0;
+    has_grown = n_easy >= patience && step < parameters.maximum_step;
+    if (has_grown)
+      {
+        step =
+          std::min(step * parameters.growth_factor, parameters.maximum_step);
+        n_easy = 0;
+      }
+  }
+
+
+
+  bool
+  LoadStepping::can_be_cut() const
+  {
+    return parameters.cut_factor * (proposed_time - current_time) >=
+           parameters.minimum_step * (1. - same_time);
   }
 
 
@@ -174,7 +226,10 @@ namespace stickslip
   {
     const double tried = proposed_time - current_time;
     step               = parameters.cut_factor * tried;
-    if (step < parameters.minimum_step * (1. - same_time))
+    patience           = std::min(2 * patience, longest_patience);
+    n_easy             = 0;
+    has_grown          = false;
+    if (!can_be_cut())
       {
         std::ostringstream where;
         where << "Load step to t = " << proposed_time << " of size " << tried

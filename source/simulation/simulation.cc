@@ -117,7 +117,7 @@ namespace stickslip
                    time,
                    time - load_stepping.time());
 
-    step_solver.solve(time, accepted.x, x);
+    step_solver.solve(time, accepted.x, load_stepping.iteration_limit(), x);
   }
 
 

@@ -5,6 +5,8 @@
 #include <stickslip/strategy/newton_solver.h>
 #include <stickslip/strategy/solution_strategy.h>
 
+#include <algorithm>
+
 namespace stickslip
 {
   namespace
@@ -40,8 +42,14 @@ namespace stickslip
   void
   StepSolver<dim>::solve(const double           time,
                          const LA::BlockVector &accepted,
+                         const unsigned int     iteration_limit,
                          LA::BlockVector       &x)
   {
+    most_iterations = iteration_limit;
+    if (ladder.has_choice())
+      most_iterations = std::min(most_iterations,
+                                 iterations_before_next *
+                                   parameters.algorithm.newton.max_iterations);
     problem.begin_step(time, accepted);
     problem.configure(accepted, true);
     note_partners(problem.contact());
@@ -176,9 +184,7 @@ namespace stickslip
                                    const double           sufficient,
                                    LA::BlockVector       &increment)
   {
-    if (ladder.has_choice() &&
-        problem.counts.newton_iterations >=
-          iterations_before_next * parameters.algorithm.newton.max_iterations)
+    if (problem.counts.newton_iterations >= most_iterations)
       throw NoConvergence(ladder.algorithm(),
                           "no end in sight after " +
                             std::to_string(problem.counts.newton_iterations) +

@@ -3,11 +3,23 @@
 #include <stickslip/strategy/fixed_point_acceleration.h>
 #include <stickslip/strategy/nested_fixed_point.h>
 
+#include <algorithm>
+#include <limits>
 #include <set>
 #include <sstream>
 
 namespace stickslip
 {
+  namespace
+  {
+    /// Relative to the last change of a loop, the change at which the loops
+    /// inside it may stop: more exact, they would only follow a value that is
+    /// about to be replaced.
+    constexpr double useful_accuracy = 0.1;
+  } // namespace
+
+
+
   NestedFixedPoint::NestedFixedPoint(std::vector<FixedPointLoop> loops,
                                      InnerSolver                 solve_inner,
                                      Report                      report)
@@ -24,21 +36,38 @@ namespace stickslip
     for (const FixedPointLoop &loop : loops)
       loop.quantity->set_live(loop.is_live);
     std::string failure;
-    if (!solve_level(0, x, failure))
+    if (!solve_level(0, 0., x, failure))
       throw NoConvergence("Fixed point", failure, FailureCause::loop_limit);
+  }
+
+
+
+  double
+  NestedFixedPoint::accuracy_inside(const unsigned int level,
+                                    const double       change) const
+  {
+    if (change <= loops[level].tolerance)
+      return 0.;
+    double finest = std::numeric_limits<double>::max();
+    for (unsigned int i = level + 1; i < loops.size(); ++i)
+      if (loops[i].is_relative && !loops[i].is_live)
+        finest = std::min(finest, loops[i].tolerance);
+    const double accuracy = useful_accuracy * change;
+    return accuracy > finest ? accuracy : 0.;
   }
 
 
 
   bool
   NestedFixedPoint::solve_inside(const unsigned int level,
+                                 const double       accuracy,
                                  LA::BlockVector   &x,
                                  std::string       &failure,
                                  unsigned int      &n_failures) const
   {
     try
       {
-        const bool converged = solve_level(level + 1, x, failure);
+        const bool converged = solve_level(level + 1, accuracy, x, failure);
         n_failures           = 0;
         return converged;
       }
@@ -57,6 +86,7 @@ namespace stickslip
 
   bool
   NestedFixedPoint::solve_level(const unsigned int level,
+                                const double       accuracy,
                                 LA::BlockVector   &x,
                                 std::string       &failure) const
   {
@@ -67,11 +97,13 @@ namespace stickslip
       }
     const FixedPointLoop &loop = loops[level];
     if (loop.is_live)
-      return solve_level(level + 1, x, failure);
+      return solve_level(level + 1, accuracy, x, failure);
+    const double tolerance =
+      loop.is_relative ? std::max(loop.tolerance, accuracy) : loop.tolerance;
 
     loop.quantity->evaluate(x);
     loop.quantity->accept();
-    double                  change          = 0.;
+    double                  change          = 1.;
     bool                    inner_converged = false;
     std::set<std::uint64_t> seen;
     bool                    is_repetition = false;
@@ -90,20 +122,23 @@ namespace stickslip
         // An inner loop may run into its limit while this one is still far from
         // its fixed point (the first statuses cycle); only the last pass
         // counts.
-        start           = x;
-        inner_converged = solve_inside(level, x, failure, n_failures);
+        start = x;
+        const double inner_accuracy =
+          loop.is_relative ? accuracy_inside(level, change) : accuracy;
+        inner_converged =
+          solve_inside(level, inner_accuracy, x, failure, n_failures);
         loop.quantity->evaluate(x);
         change = loop.quantity->change();
         loop.quantity->accept();
         ++*loop.n_loops;
         report(loop.quantity->name(), pass, change, level);
-        if (inner_converged && change <= loop.tolerance)
+        if (inner_converged && change <= tolerance &&
+            inner_accuracy <= accuracy)
           return true;
         is_repetition = see();
         if (!loop.is_accelerated)
           continue;
-        // The first pass has also applied prescribed displacements.
-        if (!inner_converged || pass == 1)
+        if (!inner_converged)
           acceleration.clear();
         else
           {
@@ -116,7 +151,7 @@ namespace stickslip
     text << "the " << loop.quantity->name() << " loop "
          << (is_repetition ? "repeats itself after " : "did not settle in ")
          << pass - 1 << " passes; last change " << change << " (tolerance "
-         << loop.tolerance << ")";
+         << tolerance << ")";
     if (!inner_converged)
       text << "; inside its last pass: " << failure;
     failure = text.str();

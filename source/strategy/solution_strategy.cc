@@ -145,6 +145,7 @@ namespace stickslip
         loop.n_loops        = loop_counts[i];
         loops.push_back(loop);
       }
+    loops[2].is_relative = false; // a number of points
     // With its first thresholds, far from the final ones, a live status may
     // cycle in Newton for ever, as it does in the status loop of FPM; and so
     // may stick and slip, which are live in all algorithms.

@@ -5,6 +5,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,10 @@ namespace stickslip
   /**
    * Chooses the load steps from time 0 to the end: cuts a step that failed,
    * lets steps grow again after easy ones, and hits requested times exactly.
+   *
+   * After a cut, growth waits for two easy steps; for twice as many each time
+   * that a step fails again before a larger one has been accepted, at most
+   * eight. A run that continues another one starts without such a memory.
    */
   class LoadStepping
   {
@@ -49,6 +54,15 @@ namespace stickslip
     /// The time that the next step goes to.
     double
     propose_step();
+
+    /**
+     * Newton iterations after which cutting the step is cheaper than going on:
+     * three times those of the costliest of the last three steps, at least 100.
+     * Without limit in the first step, and where the cut step would be below
+     * the minimum.
+     */
+    unsigned int
+    iteration_limit() const;
 
     /// The proposed step was solved with this many Newton iterations.
     void
@@ -91,6 +105,14 @@ namespace stickslip
     double                       proposed_time = 0.;
     double                       step;
     unsigned int                 n_accepted = 0;
+
+    std::deque<unsigned int> last_iterations; ///< of the last steps
+    unsigned int n_easy    = 0; ///< easy steps in a row since the step changed
+    unsigned int patience  = 1; ///< as many let it grow
+    bool         has_grown = false; ///< after the last accepted step
+
+    bool
+    can_be_cut() const;
   };
 } // namespace stickslip
 

@@ -34,13 +34,15 @@ namespace stickslip
 
     /**
      * Solves the step to @p time from the state @p accepted; @p x is a guess
-     * before and the solution after. problem.counts has what the successful
-     * algorithm took. Throws NoConvergence when no algorithm of the ladder
-     * succeeds.
+     * before and the solution after. An algorithm that takes more than
+     * @p iteration_limit Newton iterations has failed. problem.counts has what
+     * the successful one took. Throws NoConvergence when no algorithm of the
+     * ladder succeeds.
      */
     void
     solve(const double           time,
           const LA::BlockVector &accepted,
+          const unsigned int     iteration_limit,
           LA::BlockVector       &x);
 
     /// What solved the last step.
@@ -69,6 +71,7 @@ namespace stickslip
     ConvergenceLog       &log;
     AlgorithmLadder       ladder;
     Acceptance            found;
+    unsigned int          most_iterations = 0; ///< of an algorithm in this step
 
     /// Solves with one algorithm and examines the result. A second time with
     /// other scales or facets if these may be the reason why that fails.

@@ -14,6 +14,7 @@ namespace stickslip
   {
     FreezableQuantity *quantity       = nullptr;
     bool               is_live        = true; ///< left to the inner solver
+    bool               is_relative    = true; ///< its change is, no count
     double             tolerance      = 0.;
     unsigned int       max_iterations = 1;
     /// Goes on when the inner solver fails, so many times in a row, except in
@@ -26,7 +27,9 @@ namespace stickslip
   /**
    * The skeleton of FPM, PNM, GNM and all combinations between them: a
    * fixed-point loop for every quantity that is not live, outermost first,
-   * around an inner solver.
+   * around an inner solver. Inner loops stop at a tenth of the last change of
+   * the loop around them; before an outer loop is taken as converged they have
+   * to reach their own tolerances.
    */
   class NestedFixedPoint
   {
@@ -51,17 +54,25 @@ namespace stickslip
     const InnerSolver                 solve_inner;
     const Report                      report;
 
+    /// Change at which the loops inside @p level may stop if that of @p level
+    /// has last been @p change; 0: at their own tolerances.
+    double
+    accuracy_inside(const unsigned int level, const double change) const;
+
     /// One pass inside the loop of @p level, after @p n_failures of the inner
     /// solver in a row. Returns whether all inner loops converged.
     bool
     solve_inside(const unsigned int level,
+                 const double       accuracy,
                  LA::BlockVector   &x,
                  std::string       &failure,
                  unsigned int      &n_failures) const;
 
+    /// Solves until changes are at most @p accuracy, or at most the tolerances.
     /// Returns whether this and all inner loops converged.
     bool
     solve_level(const unsigned int level,
+                const double       accuracy,
                 LA::BlockVector   &x,
                 std::string       &failure) const;
   };
