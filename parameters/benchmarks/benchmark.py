@@ -59,15 +59,41 @@ def read_csv(path):
     return {name: [value(row[i]) if i < len(row) else "" for row in rows[1:]] for i, name in enumerate(header)}
 
 
+class Usage:
+    """What a command took, and its exit code."""
+
+    def __init__(self, exit_code, seconds, cpu_seconds, peak_mebibytes):
+        self.exit_code = exit_code
+        self.seconds = seconds  # of wall clock; 0 if an earlier run is reused
+        self.cpu_seconds = cpu_seconds  # in user mode, with all processes that it has waited for
+        self.peak_mebibytes = peak_mebibytes  # resident, of the largest of these processes
+
+
+def measure(command, log, directory, variables=None, timeout=None):
+    """Runs a command in a directory, its output in the file `log`; the environment is `environment()`."""
+    start = time.time()
+    with open(log, "w") as stream:
+        process = subprocess.Popen(command, stdout=stream, stderr=subprocess.STDOUT, cwd=directory,
+                                   env={**environment(), **(variables or {})})
+        timer = threading.Timer(timeout or threading.TIMEOUT_MAX, process.terminate)
+        timer.daemon = True
+        timer.start()
+        _, status, usage = os.wait4(process.pid, 0)
+        timer.cancel()
+    process.returncode = os.waitstatus_to_exitcode(status)
+    return Usage(process.returncode, time.time() - start, usage.ru_utime, usage.ru_maxrss / 1024)
+
+
 class Result:
     """Output directory and log of one run."""
 
-    def __init__(self, directory, log, seconds, exit_code, cpu_seconds=math.nan):
+    def __init__(self, directory, log, usage):
         self.directory = directory
         self.log = log
-        self.seconds = seconds  # of wall clock; 0 if an earlier run is reused
-        self.cpu_seconds = cpu_seconds  # of all ranks, in user mode
-        self.exit_code = exit_code
+        self.seconds = usage.seconds
+        self.cpu_seconds = usage.cpu_seconds  # of all ranks
+        self.peak_mebibytes = usage.peak_mebibytes  # of the largest rank
+        self.exit_code = usage.exit_code
 
     @property
     def converged(self):
@@ -132,31 +158,25 @@ class Benchmark:
         inputs = [pathlib.Path(self.program), self.directory / parameter_file]
         fingerprint = "\n".join(command + [f"{path} {path.stat().st_mtime_ns}" for path in inputs])
         stamp = directory / ".finished"
-        cpu = directory / ".cpu_seconds"
-        if self.options.keep and stamp.exists() and stamp.read_text() == fingerprint:
-            return Result(directory, log.read_text(), 0.0, 0, float(cpu.read_text()) if cpu.exists() else math.nan)
+        spent = directory / ".usage"
+        if self.options.keep and spent.exists() and stamp.exists() and stamp.read_text() == fingerprint:
+            cpu_seconds, peak_mebibytes = map(float, spent.read_text().split())
+            return Result(directory, log.read_text(), Usage(0, 0.0, cpu_seconds, peak_mebibytes))
 
         shutil.rmtree(directory, ignore_errors=True)
         directory.mkdir(parents=True)
-        start = time.time()
-        with open(log, "w") as stream:
-            process = subprocess.Popen(command, stdout=stream, stderr=subprocess.STDOUT, cwd=self.directory, env=environment())
-            timer = threading.Timer(timeout or threading.TIMEOUT_MAX, process.terminate)
-            timer.daemon = True
-            timer.start()
-            _, status, usage = os.wait4(process.pid, 0)  # with the ranks that mpirun has waited for
-            timer.cancel()
-        exit_code = process.returncode = os.waitstatus_to_exitcode(status)
-        seconds, cpu_seconds = time.time() - start, usage.ru_utime
-        cpu.write_text(str(cpu_seconds))
-        if exit_code == 0:
+        usage = measure(command, log, self.directory, timeout=timeout)
+        spent.write_text(f"{usage.cpu_seconds} {usage.peak_mebibytes}")
+        solved = usage.exit_code == 0
+        if solved:
             stamp.write_text(fingerprint)
-        print(f"  {label}: {'solved' if exit_code == 0 else 'failed'} in {seconds:.1f} s ({cpu_seconds:.1f} s of user CPU)", flush=True)
-        if exit_code != 0 and not may_fail:
+        print(f"  {label}: {'solved' if solved else 'failed'} in {usage.seconds:.1f} s "
+              f"({usage.cpu_seconds:.1f} s of user CPU, {usage.peak_mebibytes:.0f} MiB)", flush=True)
+        if not solved and not may_fail:
             sys.stdout.write("".join(f"    {line}\n" for line in log.read_text().split("\n")[-15:]))
             self.fail(f"the run '{label}' failed (log: {log})")
             self.finish()
-        return Result(directory, log.read_text(), seconds, exit_code, cpu_seconds)
+        return Result(directory, log.read_text(), usage)
 
     # -------------------------------------------------------------- comparing
     def check(self, quantity, ours, reference, tolerance, kind="relative"):
