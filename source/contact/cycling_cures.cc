@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <sstream>
-#include <utility>
 
 namespace stickslip
 {
@@ -65,8 +64,9 @@ namespace stickslip
   void
   CyclingCures<dim>::begin_step()
   {
-    may_forget_facets = true;
-    has_forgotten     = false;
+    for (const auto &pair : contact.contact_pairs())
+      for (auto &point : pair->points)
+        point.learns = false;
   }
 
 
@@ -218,34 +218,30 @@ namespace stickslip
   bool
   CyclingCures<dim>::release()
   {
-    std::array<int, 2> any{}; // statuses, facets
+    bool any = false;
     for (const auto &pair : contact.contact_pairs())
       for (auto &point : pair->points)
-        {
-          if (point.cure.release())
-            any[0] = 1;
-          if (may_forget_facets && contact.live.geometry &&
-              point.forget_facets())
-            any[1] = 1;
-        }
-    Utilities::MPI::max(ArrayView<const int>(any.data(), any.size()),
-                        contact.get_communicator(),
-                        ArrayView<int>(any.data(), any.size()));
-    has_forgotten = has_forgotten || any[1] > 0;
-    if (any[0] + any[1] == 0)
-      return false;
-    statuses.forget_records();
-    return true;
+        any = point.cure.release() || any;
+    any = Utilities::MPI::max(any ? 1 : 0, contact.get_communicator()) > 0;
+    if (any)
+      statuses.forget_records();
+    return any;
   }
 
 
 
   template <int dim>
   bool
-  CyclingCures<dim>::keep_facets()
+  CyclingCures<dim>::let_points_learn()
   {
-    may_forget_facets = false;
-    return std::exchange(has_forgotten, false);
+    bool is_new = false;
+    for (const auto &pair : contact.contact_pairs())
+      for (auto &point : pair->points)
+        {
+          is_new       = is_new || (!point.learns && point.hops());
+          point.learns = true;
+        }
+    return Utilities::MPI::max(is_new ? 1 : 0, contact.get_communicator()) > 0;
   }
 
 

@@ -91,12 +91,13 @@ namespace stickslip
     catch (const NoConvergence &failure)
       {
         const bool other_scales = cures.use_natural_scales();
-        const bool other_facets = cures.keep_facets();
-        if (!other_scales && !other_facets)
+        const bool now_learning = cures.let_points_learn();
+        if (!other_scales && !now_learning)
           throw;
         log.note(algorithm + " failed: " + failure.what() +
-                 (other_scales ? "\ntrying r at the stiffness of the contact"
-                               : "\ntrying with facets that are kept"));
+                 (other_scales
+                    ? "\ntrying r at the stiffness of the contact"
+                    : "\ntrying again; points that hop keep their facets"));
         problem.restore();
         x = guess;
         attempt(algorithm, x);
@@ -137,12 +138,7 @@ namespace stickslip
         log.note(cures.description());
       return treatment;
     };
-    newton.release_holds = [this]() {
-      if (!cures.release())
-        return false;
-      problem.forget_state();
-      return true;
-    };
+    newton.release_holds = [this]() { return cures.release(); };
 
     const NewtonSolver     newton_solver(parameters.algorithm.newton, newton);
     const NestedFixedPoint fixed_point(

@@ -74,9 +74,9 @@ namespace stickslip
     unsigned int      accepted_facet_changes = 0; ///< when it began
     unsigned int      pairing_changes = 0; ///< partner lost or found, likewise
     bool              was_clinging    = false; ///< to the end of the master
-    bool              has_forgotten   = false; ///< its facets in this step
-    bool              closed          = false; ///< frozen S_c
-    double            threshold       = 0.;    ///< frozen s
+    bool              learns    = false; ///< from its changes in this step
+    bool              closed    = false; ///< frozen S_c
+    double            threshold = 0.;    ///< frozen s
 
     // scales, kept during a Newton iteration
     Regularization regularization;
@@ -114,12 +114,11 @@ namespace stickslip
     accept_frame()
     {
       accepted_frame  = frame;
-      was_clinging    = is_clinging() && frame.paired && !frame.is_interior();
+      was_clinging    = clings() && frame.paired && !frame.is_interior();
       pairing_changes = 0;
       // beyond its facet the point still needs what it has learnt
       accepted_facet_changes = is_beyond_its_facet() ? facet_changes : 0;
       facet_changes          = accepted_facet_changes;
-      has_forgotten          = false;
     }
 
     void
@@ -128,39 +127,31 @@ namespace stickslip
       frame           = accepted_frame;
       facet_changes   = accepted_facet_changes;
       pairing_changes = 0;
-      has_forgotten   = false;
     }
 
-    /**
-     * Lets go of a facet that is kept beyond its edge because of what happened
-     * during this step, once in a step: perhaps that was on the way to the
-     * solution only. True if there is such a facet.
-     */
+    /// More changes of facet or partner in this step than Newton's first
+    /// iterations explain.
     bool
-    forget_facets()
+    hops() const
     {
-      if (has_forgotten || accepted_facet_changes > 0 ||
-          pairing_memory().overlap_factor == 0. || !is_beyond_its_facet())
-        return false;
-      has_forgotten = true;
-      facet_changes = 0;
-      return true;
+      return facet_changes >= 6 || pairing_changes >= 4;
     }
 
     /**
-     * How far the point's past decides about its partner. A point that has
-     * changed its facet oftener during this step than Newton's first iterations
-     * explain, as at a kink, keeps it beyond its edge, the farther the longer
-     * this goes on; one that has lost and found its partner as often, at the
-     * end of the master surface, clings to the end until it is well beyond.
-     * Other points are paired without regard to their past: which of two facets
-     * a point saw first would else decide its normal.
+     * How far the point's past decides about its partner. A point that hops
+     * from facet to facet, as at a kink, keeps its facet beyond the edge, the
+     * farther the longer this goes on; one that has lost and found its partner
+     * as often, at the end of the master surface, clings to the end until it is
+     * well beyond. Only in steps that fail without that (`learns`), and in
+     * later ones while it lasts: which of two facets a point saw first would
+     * else decide its normal.
      */
     PairingMemory
     pairing_memory() const
     {
-      const unsigned int n = facet_changes / 6;
-      return {n == 0 ? 0. : n == 1 ? 1. : n == 2 ? 10. : 50., is_clinging()};
+      const unsigned int n =
+        (learns ? facet_changes : accepted_facet_changes) / 6;
+      return {n == 0 ? 0. : n == 1 ? 1. : n == 2 ? 10. : 50., clings()};
     }
 
   private:
@@ -174,9 +165,9 @@ namespace stickslip
     }
 
     bool
-    is_clinging() const
+    clings() const
     {
-      return was_clinging || pairing_changes >= 4;
+      return was_clinging || (learns && pairing_changes >= 4);
     }
   };
 } // namespace stickslip

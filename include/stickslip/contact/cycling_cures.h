@@ -58,7 +58,7 @@ namespace stickslip
     CyclingCures(const CyclingParameters &parameters,
                  ContactAssembler<dim>   &contact);
 
-    /// A step begins: facets may be forgotten again.
+    /// A step begins: no point learns from its changes of facet and partner.
     void
     begin_step();
 
@@ -78,15 +78,14 @@ namespace stickslip
       return text;
     }
 
-    /// Frees all held statuses, and facets that live geometry keeps beyond
-    /// their edges. True if there were any; the points must then be paired
-    /// anew.
+    /// Frees all held statuses. True if there were any.
     bool
     release();
 
-    /// From now on no facets are forgotten in this step. True if some were.
+    /// From now on all points learn in this step (ContactPoint::learns). True
+    /// if that is new and some hop.
     bool
-    keep_facets();
+    let_points_learn();
 
     /// All r at the stiffness of the contact. True if that changes an r by more
     /// than a factor of two.
@@ -109,8 +108,6 @@ namespace stickslip
       before; ///< [pair][point], last iterate
     std::vector<std::vector<StatusState<dim>>> now;
     std::string                                text;
-    bool                                       may_forget_facets = true;
-    bool                                       has_forgotten     = false;
 
     void
     read_states();

@@ -74,7 +74,8 @@ namespace stickslip
     unsigned int          most_iterations = 0; ///< of an algorithm in this step
 
     /// Solves with one algorithm and examines the result. A second time with
-    /// other scales or facets if these may be the reason why that fails.
+    /// other scales, or with points that learn from their hops, if these may be
+    /// the reason why that fails.
     void
     solve_with(const std::string     &algorithm,
                const LA::BlockVector &guess,
