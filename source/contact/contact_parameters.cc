@@ -235,18 +235,19 @@ namespace stickslip
     prm.add_parameter(
       "Facet overlap",
       facet_overlap,
-      "A point that has changed its master facet six times in a load step "
-      "keeps it until its projection is this fraction of the facet outside (10 "
-      "times as much after twelve changes, 50 times after eighteen, 0.5 at "
-      "most): points at a kink between facets then do not hop for ever. 0: "
-      "never.",
+      "Only where a load step has failed and is tried again: a point that then "
+      "changes its master facet six times keeps it until its projection is "
+      "this fraction of the facet outside (10 times as much after twelve "
+      "changes, 50 times after eighteen, 0.5 at most), also in later steps "
+      "while it is outside. Points at a kink between facets then do not hop "
+      "for ever. 0: never.",
       Patterns::Double(0., 0.2));
     prm.add_parameter(
       "End overlap",
       end_overlap,
-      "A point at the end of the master surface that has lost and found its "
-      "partner four times in a load step keeps it until it is this fraction of "
-      "the face beyond the end. 0: never.",
+      "Likewise, a point at the end of the master surface that loses or finds "
+      "its partner four times keeps it until it is this fraction of the face "
+      "beyond the end. 0: never.",
       Patterns::Double(0., 2.));
     prm.add_parameter("Gap offset",
                       gap_offset,

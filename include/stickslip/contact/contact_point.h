@@ -55,6 +55,11 @@ namespace stickslip
   template <int dim>
   struct ContactPoint
   {
+    /// Changes in a step from which on a point hops: Newton's first iterations
+    /// explain fewer of them.
+    static constexpr unsigned int many_facet_changes   = 6;
+    static constexpr unsigned int many_pairing_changes = 4;
+
     // in the reference configuration
     unsigned int   slave_face       = 0;
     unsigned int   quadrature_index = 0;
@@ -129,12 +134,12 @@ namespace stickslip
       pairing_changes = 0;
     }
 
-    /// More changes of facet or partner in this step than Newton's first
-    /// iterations explain.
+    /// From facet to facet, or to and fro over the end of the master surface.
     bool
     hops() const
     {
-      return facet_changes >= 6 || pairing_changes >= 4;
+      return facet_changes >= many_facet_changes ||
+             pairing_changes >= many_pairing_changes;
     }
 
     /**
@@ -150,7 +155,7 @@ namespace stickslip
     pairing_memory() const
     {
       const unsigned int n =
-        (learns ? facet_changes : accepted_facet_changes) / 6;
+        (learns ? facet_changes : accepted_facet_changes) / many_facet_changes;
       return {n == 0 ? 0. : n == 1 ? 1. : n == 2 ? 10. : 50., clings()};
     }
 
@@ -167,7 +172,8 @@ namespace stickslip
     bool
     clings() const
     {
-      return was_clinging || (learns && pairing_changes >= 4);
+      return was_clinging ||
+             (learns && pairing_changes >= many_pairing_changes);
     }
   };
 } // namespace stickslip
