@@ -10,6 +10,8 @@
 #include <deal.II/grid/reference_cell.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
@@ -58,6 +60,44 @@ namespace stickslip
                ? std::numeric_limits<double>::quiet_NaN()
                : std::stod(text.substr(start + key.size()));
     }
+
+    /**
+     * One file of the data of all ranks of @p communicator. Returns why that
+     * was not possible, or an empty string. Collective.
+     */
+    template <int dim, int spacedim>
+    std::string
+    write_piece(const DataOutInterface<dim, spacedim> &data,
+                const std::string                     &name,
+                const MPI_Comm                         communicator)
+    {
+      try
+        {
+          if (Utilities::MPI::n_mpi_processes(communicator) > 1)
+            data.write_vtu_in_parallel(name, communicator);
+          else
+            {
+              // the parallel way keeps the whole text in memory
+              errno = 0;
+              std::ofstream file(name);
+              data.write_vtu(file);
+              file.close();
+              AssertThrow(file, ExcIO());
+            }
+        }
+      catch (const StandardExceptions::ExcFileNotOpen &)
+        {
+          return "the file cannot be opened"; // on all ranks
+        }
+      catch (const StandardExceptions::ExcIO &)
+        {
+          return std::strerror(errno);
+        }
+      MPI_Barrier(communicator);
+      return "";
+    }
+
+
 
     constexpr char xdmf_grid_begin[] =
       "<Grid Name=\"mesh\" GridType=\"Uniform\"";
@@ -166,30 +206,24 @@ namespace stickslip
                                     static_cast<int>(rank),
                                     &group_communicator);
     AssertThrowMPI(ierr);
-    bool failed = false;
-    if (Utilities::MPI::n_mpi_processes(group_communicator) == 1)
-      {
-        // the parallel way keeps the whole text in memory
-        std::ofstream file(piece + ".part");
-        data.write_vtu(file);
-        file.close();
-        failed = !file;
-      }
-    else
-      data.write_vtu_in_parallel(piece + ".part", group_communicator);
-    MPI_Barrier(group_communicator);
-    const bool is_first =
+    std::string reason = write_piece(data, piece + ".part", group_communicator);
+    const bool  is_first =
       Utilities::MPI::this_mpi_process(group_communicator) == 0;
     MPI_Comm_free(&group_communicator);
 
-    std::error_code rename_error;
-    if (is_first)
-      std::filesystem::rename(piece + ".part", piece, rename_error);
+    if (is_first && reason.empty())
+      {
+        std::error_code error;
+        std::filesystem::rename(piece + ".part", piece, error);
+        if (error)
+          reason = error.message();
+      }
+    throw_collectively(reason.empty()
+                         ? ""
+                         : "Cannot write '" + piece + "': " + reason + ".",
+                       communicator);
 
     // Only now may the record name the pieces.
-    failed = failed || rename_error;
-    if (Utilities::MPI::max(failed ? 1 : 0, communicator) > 0)
-      return "Cannot write '" + piece + "'.";
     if (rank != 0)
       return "";
 

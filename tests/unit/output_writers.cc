@@ -8,6 +8,7 @@
 #include <stickslip/output/contact_resultants.h>
 #include <stickslip/output/field_output.h>
 #include <stickslip/output/output_directory.h>
+#include <stickslip/output/output_series.h>
 #include <stickslip/output/point_values.h>
 #include <stickslip/output/progress.h>
 #include <stickslip/output/statistics_table.h>
@@ -29,6 +30,7 @@
 
 #include <deal.II/grid/grid_generator.h>
 
+#include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/vector_tools.h>
 
 #include <filesystem>
@@ -440,6 +442,58 @@ namespace
         out << message.what() << std::endl;
       }
   }
+
+  /// The first piece cannot be written: neither it nor the index appears.
+  void
+  test_failing_piece(const std::string  &name,
+                     const unsigned int  grouped_files,
+                     ConditionalOStream &out)
+  {
+    parallel::distributed::Triangulation<2> triangulation(MPI_COMM_WORLD);
+    GridGenerator::hyper_cube(triangulation);
+    triangulation.refine_global(2);
+    const Vector<float> numbers(triangulation.n_active_cells());
+    DataOut<2>          data;
+    data.attach_triangulation(triangulation);
+    data.add_data_vector(numbers, "numbers");
+    data.build_patches();
+
+    OutputParameters parameters;
+    parameters.directory     = directory;
+    parameters.grouped_files = grouped_files;
+    OutputSeries series(parameters, name, MPI_COMM_WORLD);
+    try
+      {
+        series.write(data, 1, 0.1);
+      }
+    catch (const UserError &message)
+      {
+        // the reason depends on how many ranks write a piece
+        const std::string text = message.what();
+        out << text.substr(0, text.find("': ") + 1) << std::endl;
+      }
+    for (const std::string ending : {"-0001.0.vtu", "-0001.pvtu", ".pvd"})
+      out << "  " << name << ending << ": "
+          << (std::filesystem::exists(directory + "/" + name + ending) ? "there"
+                                                                       : "none")
+          << std::endl;
+  }
+
+  void
+  test_failing_pieces(ConditionalOStream &out)
+  {
+    const std::string full = directory + "/full-0001.0.vtu.part",
+                      part = directory + "/blocked-0001.0.vtu.part";
+    if (out.is_active())
+      {
+        std::filesystem::remove(full);
+        std::filesystem::create_symlink("/dev/full", full);
+        std::filesystem::create_directories(part);
+      }
+    MPI_Barrier(MPI_COMM_WORLD);
+    test_failing_piece("full", 0, out);
+    test_failing_piece("blocked", 1, out);
+  }
 } // namespace
 
 int
@@ -450,6 +504,7 @@ main(int argc, char **argv)
                          Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
 
   test_directories(out);
+  test_failing_pieces(out);
   test_statistics(out);
   test_progress(out);
   test_contact<2>(1, out);

@@ -58,7 +58,8 @@ namespace stickslip
       std::string text;
     };
 
-    /// Returns on rank 0 what went wrong, as the other functions here.
+    /// Throws UserError on all ranks if a piece cannot be written. Returns what
+    /// went wrong with the record of the pieces, on rank 0.
     template <int dim, int spacedim>
     std::string
     write_vtu(const DataOutInterface<dim, spacedim> &data,
