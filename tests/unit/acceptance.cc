@@ -1,30 +1,19 @@
 // What the examination of a converged state accepts and what it rejects:
 // states are made by hand, one violation of the contact law at a time.
 
-#include <stickslip/base/parameter_file.h>
+#include "case_problem.h"
+#include "print.h"
 
 #include <stickslip/problem/acceptance.h>
 
-#include <stickslip/simulation/case_parameters.h>
-
 #include <functional>
 #include <iomanip>
-#include <iostream>
 #include <sstream>
 
 using namespace stickslip;
 
 namespace
 {
-  void
-  print(const std::string &text)
-  {
-    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      std::cout << text << std::endl;
-  }
-
-
-
   /// Two blocks of height 1 with three cells each along x, one on the other.
   std::string
   two_blocks(const unsigned int dim, const std::string &quadrature)
@@ -51,28 +40,18 @@ namespace
 
 
   template <int dim>
-  class Blocks
+  class Blocks : public CaseProblem<dim>
   {
   public:
+    using CaseProblem<dim>::problem;
+
     explicit Blocks(const std::string &quadrature)
+      : CaseProblem<dim>(two_blocks(dim, quadrature))
     {
-      ParameterHandler prm;
-      parameters.read(ParameterFile::from_string(two_blocks(dim, quadrature),
-                                                 "two blocks"),
-                      prm);
-      mesh = std::make_unique<Mesh<dim>>(build_mesh<dim>(
-        parameters.mesh, parameters.bodies, {}, MPI_COMM_WORLD));
-      problem =
-        std::make_unique<ContactProblem<dim>>(*mesh,
-                                              parameters.degree,
-                                              parameters.materials,
-                                              parameters.boundary_conditions,
-                                              parameters.contact_pairs,
-                                              false);
-      problem->begin_step(1., problem->zero_state());
-      problem->configure(problem->zero_state(), true);
-      note_partners(problem->contact());
-      problem->begin_iteration(problem->zero_state());
+      problem.begin_step(1., problem.zero_state());
+      problem.configure(problem.zero_state(), true);
+      note_partners(problem.contact());
+      problem.begin_iteration(problem.zero_state());
     }
 
     /// The upper block moves by @p motion; @p lambda_n and @p Lambda (along x)
@@ -80,10 +59,10 @@ namespace
     LA::BlockVector
     state(const Tensor<1, dim> &motion,
           const double          lambda_n,
-          const double          Lambda) const
+          const double          Lambda)
     {
-      LA::BlockVector                      x      = problem->zero_state();
-      const auto                          &layout = problem->layout();
+      LA::BlockVector                      x      = problem.zero_state();
+      const auto                          &layout = problem.layout();
       std::vector<types::global_dof_index> dofs(
         layout.dof_handler.get_fe().n_dofs_per_cell());
       for (const auto &cell : layout.dof_handler.active_cell_iterators())
@@ -97,30 +76,25 @@ namespace
           }
       x.compress(VectorOperation::insert);
       // component of Lambda along x: the nodal tangents are not known here
-      problem->configure(x, true);
-      for (const auto &node : problem->contact().multipliers().owned_nodes())
+      problem.configure(x, true);
+      for (const auto &node : problem.contact().multipliers().owned_nodes())
         x.block(1)(node.first_dof) = lambda_n;
       x.compress(VectorOperation::insert);
       set_Lambda(x, Lambda);
       return x;
     }
 
-    std::unique_ptr<ContactProblem<dim>> problem;
-    CaseParameters                       parameters;
-
   private:
-    std::unique_ptr<Mesh<dim>> mesh;
-
     /// The first tangent is along x, forward or backward, on flat faces.
     void
-    set_Lambda(LA::BlockVector &x, const double Lambda) const
+    set_Lambda(LA::BlockVector &x, const double Lambda)
     {
       double forward = 0.;
-      for (const auto &point : problem->contact().contact_pairs()[0]->points)
+      for (const auto &point : problem.contact().contact_pairs()[0]->points)
         if (point.frame.paired)
           forward = point.frame.tau[0][0] > 0. ? 1. : -1.;
       forward = Utilities::MPI::sum(forward, MPI_COMM_WORLD) > 0. ? 1. : -1.;
-      for (const auto &node : problem->contact().multipliers().owned_nodes())
+      for (const auto &node : problem.contact().multipliers().owned_nodes())
         x.block(1)(node.first_dof + 1) = forward * Lambda;
       x.compress(VectorOperation::insert);
     }
@@ -136,7 +110,7 @@ namespace
     // the bodies are not in equilibrium: only the contact law is of interest
     AcceptanceParameters parameters;
     parameters.residual_tolerance = 1e10;
-    const Acceptance        found = examine(*blocks.problem, x, parameters);
+    const Acceptance        found = examine(blocks.problem, x, parameters);
     const ContactViolation &v     = found.violation;
     std::ostringstream      text;
     text << "  " << title << ": " << std::fixed << std::setprecision(6)
@@ -189,7 +163,7 @@ namespace
   test_restoration()
   {
     Blocks<2>             blocks("nodal");
-    auto                 &contact = blocks.problem->contact();
+    auto                 &contact = blocks.problem.contact();
     const LA::BlockVector x = blocks.state(Tensor<1, 2>({1.5, -0.01}), -1., 0.);
     contact.live            = {false, false, false};
     const auto frames       = [&]() {
@@ -198,15 +172,12 @@ namespace
         text << point.frame.paired << point.frame.xi << point.frame.face << ' ';
       return text.str();
     };
-    blocks.problem->configure(blocks.problem->zero_state(), true);
+    blocks.problem.configure(blocks.problem.zero_state(), true);
     const std::string before = frames();
     look("examined elsewhere", blocks, x);
     const bool is_restored = before == frames() && !contact.live.geometry &&
                              !contact.live.threshold && !contact.live.status;
-    print(std::string("  all is as it was: ") +
-          (Utilities::MPI::min(is_restored ? 1 : 0, MPI_COMM_WORLD) == 1
-             ? "yes"
-             : "NO"));
+    print("  all is as it was", is_restored);
   }
 } // namespace
 

@@ -2,41 +2,23 @@
 // below elements of degree 2, the augmented matrix and the contact zone; on a
 // tower of three blocks, separated by gaps or closed.
 
+#include "case_problem.h"
+#include "print.h"
+
 #include <stickslip/linear_solvers/block_amg_solver.h>
 
-#include <stickslip/problem/contact_problem.h>
 #include <stickslip/problem/rigid_modes.h>
-
-#include <stickslip/simulation/case_parameters.h>
 
 #include <stickslip/solid/rigid_body_modes.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
-#include <iostream>
 
 using namespace stickslip;
 
 namespace
 {
-  void
-  print(const std::string &text)
-  {
-    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      std::cout << text << std::endl;
-  }
-
-
-
-  void
-  print(const std::string &text, const bool holds)
-  {
-    print("  " + text + ": " + (holds ? "yes" : "NO"));
-  }
-
-
-
   std::string
   block(const std::string &name,
         const int          dim,
@@ -111,33 +93,19 @@ namespace
 
 
   template <int dim>
-  struct Tower
+  struct Tower : CaseProblem<dim>
   {
-    Tower(const int degree, const double gap)
-    {
-      ParameterHandler prm;
-      parameters.read(ParameterFile::from_string(tower(dim, degree, gap),
-                                                 "tower"),
-                      prm);
-      mesh = std::make_unique<Mesh<dim>>(build_mesh<dim>(
-        parameters.mesh, parameters.bodies, {}, MPI_COMM_WORLD));
-      problem =
-        std::make_unique<ContactProblem<dim>>(*mesh,
-                                              parameters.degree,
-                                              parameters.materials,
-                                              parameters.boundary_conditions,
-                                              parameters.contact_pairs,
-                                              false);
-      const auto x = problem->zero_state();
-      problem->begin_step(1., x);
-      problem->begin_iteration(x);
-      problem->residual(x);
-      problem->assemble(x);
-    }
+    using CaseProblem<dim>::problem;
 
-    CaseParameters                       parameters;
-    std::unique_ptr<Mesh<dim>>           mesh;
-    std::unique_ptr<ContactProblem<dim>> problem;
+    Tower(const int degree, const double gap)
+      : CaseProblem<dim>(tower(dim, degree, gap))
+    {
+      const auto x = problem.zero_state();
+      problem.begin_step(1., x);
+      problem.begin_iteration(x);
+      problem.residual(x);
+      problem.assemble(x);
+    }
   };
 
 
@@ -148,12 +116,12 @@ namespace
   void
   test_modes(const int degree)
   {
-    const Tower<dim> tower(degree, 0.25);
-    auto            &problem = *tower.problem;
-    const auto      &system  = problem.describe_system();
-    const auto      &space   = *system.near_null_space;
-    const auto      &A       = problem.matrix().block(0, 0);
-    const auto       colours =
+    Tower<dim>  tower(degree, 0.25);
+    auto       &problem = tower.problem;
+    const auto &system  = problem.describe_system();
+    const auto &space   = *system.near_null_space;
+    const auto &A       = problem.matrix().block(0, 0);
+    const auto  colours =
       colour_bodies(problem.bodies(), problem.contact().contact_pairs());
     print("  colours: " + std::to_string(colours[0]) + " " +
           std::to_string(colours[1]) + " " + std::to_string(colours[2]) + ", " +
@@ -177,13 +145,13 @@ namespace
         else // middle
           largest = std::max(largest, forces.linfty_norm());
       }
-    print("rigid motions of the middle body are in the null space",
+    print("  rigid motions of the middle body are in the null space",
           largest < 1e-12);
-    print("motions of all bodies are not, where one is held",
+    print("  motions of all bodies are not, where one is held",
           smallest_held > 1e-3);
     // the least is the rotation about the axis of the slender tower: half its
     // width over half its diagonal, 0.26
-    print("all modes move nodes", smallest_mode > 0.25);
+    print("  all modes move nodes", smallest_mode > 0.25);
   }
 
 
@@ -193,10 +161,10 @@ namespace
   void
   test_interface(const int degree)
   {
-    const Tower<dim> tower(degree, 0.);
-    auto            &problem = *tower.problem;
-    const auto      &K       = problem.matrix();
-    const auto      &system  = problem.describe_system();
+    Tower<dim>  tower(degree, 0.);
+    auto       &problem = tower.problem;
+    const auto &K       = problem.matrix();
+    const auto &system  = problem.describe_system();
 
     InterfaceAugmentation augmentation;
     augmentation.reinit(K, system, 4.);
@@ -212,12 +180,12 @@ namespace
     added.vmult(residual.block(0), x.block(0));
     K.block(0, 0).vmult_add(residual.block(0), x.block(0));
     residual.block(0) -= product.block(0);
-    print("rows are added as the augmented matrix has them",
+    print("  rows are added as the augmented matrix has them",
           residual.block(0).l2_norm() < 1e-12 * before);
     residual.block(0) = product.block(0);
     K.block(0, 0).vmult(product.block(0), x.block(0));
     residual.block(0) -= product.block(0);
-    print("the augmentation is of the size of the stiffness",
+    print("  the augmentation is of the size of the stiffness",
           residual.block(0).l2_norm() > 0.1 * before &&
             residual.block(0).l2_norm() < 100. * before);
 
@@ -233,7 +201,7 @@ namespace
     for (const auto i : residual.block(0).locally_owned_elements())
       if (LA::row_length(K.block(0, 1), i) > 0)
         left = std::max(left, std::abs(residual.block(0)(i)));
-    print("nothing is left of the residual there",
+    print("  nothing is left of the residual there",
           Utilities::MPI::max(left, MPI_COMM_WORLD) < 1e-9);
   }
 

@@ -1,6 +1,8 @@
 // Shape functions and quadrature on contact faces, and the projection of a
 // point on one face.
 
+#include "print.h"
+
 #include <stickslip/base/user_error.h>
 
 #include <stickslip/contact/contact_quadrature.h>
@@ -8,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -17,22 +18,6 @@ using namespace stickslip;
 
 namespace
 {
-  void
-  print(const std::string &text)
-  {
-    std::cout << text << std::endl;
-  }
-
-
-
-  void
-  print(const std::string &text, const bool holds)
-  {
-    print(text + ": " + (holds ? "yes" : "NO"));
-  }
-
-
-
   template <int dim>
   Point<dim - 1>
   face_point(const double first, const double second)
@@ -333,8 +318,9 @@ namespace
 
 
 int
-main()
+main(int argc, char **argv)
 {
+  Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_quadrature();
   test_all<2>();
   test_all<3>();

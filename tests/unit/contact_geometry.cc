@@ -1,5 +1,7 @@
 // The search for master faces over a distributed surface.
 
+#include "print.h"
+
 #include <stickslip/contact/master_patch.h>
 
 #include <stickslip/mesh/mesh_builder.h>
@@ -14,30 +16,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <iostream>
 #include <sstream>
 
 using namespace stickslip;
 
 namespace
 {
-  void
-  print(const std::string &text)
-  {
-    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      std::cout << text << std::endl;
-  }
-
-
-
-  void
-  print(const std::string &text, const bool holds)
-  {
-    print(text + ": " + (holds ? "yes" : "NO"));
-  }
-
-
-
   template <int dim>
   Point<dim - 1>
   face_point(const double first, const double second)

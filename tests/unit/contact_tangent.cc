@@ -1,6 +1,8 @@
 // The assembled tangent of two bodies in contact against differences of the
 // assembled residual, for all live/frozen combinations, on any number of ranks.
 
+#include "print.h"
+
 #include <stickslip/problem/contact_problem.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -8,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <iostream>
 #include <sstream>
 
 using namespace stickslip;
@@ -27,15 +28,6 @@ namespace
     bool         hanging_nodes = false;
     bool         held_master   = false; // its surface does not move
   };
-
-
-
-  void
-  print(const std::string &text)
-  {
-    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      std::cout << text << std::endl;
-  }
 
 
 
@@ -385,20 +377,17 @@ namespace
             restrict_to(free, product_there);
             in_free_rows -= rhs;
             product_there -= product;
-            print(
-              std::string("  constrained rows are empty: ") +
-              (in_free_rows.linfty_norm() + product_there.linfty_norm() < 1e-12
-                 ? "yes"
-                 : "NO"));
-            print(std::string("  right hand side is minus the residual: ") +
-                  (sum.block(0).linfty_norm() < 1e-12 ? "yes" : "NO"));
+            print("  constrained rows are empty",
+                  in_free_rows.linfty_norm() + product_there.linfty_norm() <
+                    1e-12);
+            print("  right hand side is minus the residual",
+                  sum.block(0).linfty_norm() < 1e-12);
             double resultant = 0.;
             for (unsigned int d = 0; d < dim; ++d)
               resultant = std::max(resultant,
                                    std::abs(states.translation(d).block(0) *
                                             problem.nodal_forces()));
-            print(std::string("  forces balance: ") +
-                  (resultant < 1e-12 ? "yes" : "NO"));
+            print("  forces balance", resultant < 1e-12);
           }
 
         LA::BlockVector displaced = x;

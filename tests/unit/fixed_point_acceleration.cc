@@ -1,12 +1,13 @@
 // Anderson's acceleration of linear fixed-point iterations: slow, divergent
 // and in several directions at once.
 
+#include "print.h"
+
 #include <stickslip/strategy/fixed_point_acceleration.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
-#include <iostream>
 #include <string>
 #include <vector>
 
@@ -57,15 +58,6 @@ namespace
           acceleration.improve(start, x);
       }
     return 0;
-  }
-
-
-
-  void
-  print(const std::string &text, const bool holds)
-  {
-    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      std::cout << text << ": " << (holds ? "yes" : "no") << std::endl;
   }
 } // namespace
 

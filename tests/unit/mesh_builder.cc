@@ -218,11 +218,8 @@ namespace
     const double mean =
       Utilities::MPI::sum(load, comm) / Utilities::MPI::n_mpi_processes(comm);
     print(partitioner + ", a face counts as " + text(weight) +
-          " cells, loads within a tenth or a cell of each other: " +
-          (Utilities::MPI::max(std::abs(load - mean), comm) <=
-               std::max(0.1 * mean, 1. + weight)
-             ? "yes"
-             : "NO"));
+            " cells, loads within a tenth or a cell of each other",
+          std::abs(load - mean) <= std::max(0.1 * mean, 1. + weight));
   }
 } // namespace
 

@@ -39,7 +39,7 @@ namespace
   void
   write(const std::string &file_name, const std::string &contents)
   {
-    if (is_root())
+    if (Utilities::MPI::this_mpi_process(comm) == 0)
       std::ofstream(file_name) << contents;
     MPI_Barrier(comm);
   }

@@ -1,12 +1,13 @@
 // The numbers of the multipliers: contiguous on each rank, one owner per node,
 // known to all ranks that use the node.
 
+#include "print.h"
+
 #include <stickslip/contact/multiplier_numbering.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <iostream>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -15,25 +16,6 @@ using namespace stickslip;
 
 namespace
 {
-  void
-  print(const std::string &text)
-  {
-    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      std::cout << text << std::endl;
-  }
-
-
-
-  void
-  print(const std::string &text, const bool holds)
-  {
-    print(
-      text + ": " +
-      (Utilities::MPI::min(holds ? 1 : 0, MPI_COMM_WORLD) == 1 ? "yes" : "NO"));
-  }
-
-
-
   /// 24 displacement dofs in blocks; each rank sees three more on both sides.
   void
   test(const std::vector<unsigned int> &n_components)

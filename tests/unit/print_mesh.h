@@ -4,6 +4,8 @@
 #ifndef stickslip_tests_print_mesh_h
 #define stickslip_tests_print_mesh_h
 
+#include "print.h"
+
 #include <stickslip/base/user_error.h>
 #include <stickslip/mesh/mesh_builder.h>
 
@@ -12,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <iostream>
 #include <limits>
 #include <map>
 #include <sstream>
@@ -22,23 +23,6 @@ using namespace stickslip;
 namespace
 {
   const MPI_Comm comm = MPI_COMM_WORLD;
-
-  bool
-  is_root()
-  {
-    return Utilities::MPI::this_mpi_process(comm) == 0;
-  }
-
-
-
-  void
-  print(const std::string &line)
-  {
-    if (is_root())
-      std::cout << line << '\n' << std::flush;
-  }
-
-
 
   std::string
   text(const double value)

@@ -2,6 +2,8 @@
 // with one body and with two that a thin spring layer couples, the same on any
 // number of ranks; the product P^T A P against products with vectors.
 
+#include "print.h"
+
 #include <stickslip/linear_solvers/displacement_multigrid.h>
 #include <stickslip/linear_solvers/galerkin_product.h>
 
@@ -13,29 +15,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 
 using namespace stickslip;
 
 namespace
 {
-  void
-  print(const std::string &text)
-  {
-    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      std::cout << text << std::endl;
-  }
-
-
-
-  void
-  print(const std::string &text, const bool holds)
-  {
-    print("  " + text + ": " + (holds ? "yes" : "NO"));
-  }
-
-
-
   /**
    * A lattice of n x n x 2n nodes at distance 1, with central springs between
    * neighbours (edges, and diagonals of faces and of the cubes): an elastic

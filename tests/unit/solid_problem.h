@@ -4,6 +4,8 @@
 // One or two small blocks with boundary conditions and an assembler, for the
 // tests of solid/.
 
+#include "print.h"
+
 #include <stickslip/base/user_error.h>
 
 #include <stickslip/solid/linear_elastic.h>
@@ -31,36 +33,10 @@
 
 #include <cmath>
 #include <functional>
-#include <iostream>
 
 namespace solid_test
 {
   using namespace stickslip;
-
-  inline bool
-  speaks()
-  {
-    return Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-  }
-
-
-
-  inline void
-  print(const std::string &what)
-  {
-    if (speaks())
-      std::cout << what << std::endl;
-  }
-
-
-
-  inline void
-  print(const std::string &what, const bool holds)
-  {
-    print(what + ": " + (holds ? "yes" : "NO"));
-  }
-
-
 
   /// Prints the error that @p action throws, on all ranks or on none.
   inline void

@@ -2,28 +2,20 @@
 // functions of iteration and position, and must be found again on any number
 // of ranks.
 
+#include "print.h"
+
 #include <stickslip/contact/status_history.h>
 
 #include <stickslip/problem/contact_problem.h>
 
 #include <algorithm>
 #include <functional>
-#include <iostream>
 #include <sstream>
 
 using namespace stickslip;
 
 namespace
 {
-  void
-  print(const std::string &text)
-  {
-    if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-      std::cout << text << std::endl;
-  }
-
-
-
   /// A block with six slave faces on another one.
   template <int dim>
   Mesh<dim>
