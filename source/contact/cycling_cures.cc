@@ -26,6 +26,18 @@ namespace stickslip
     {
       return std::abs(std::log(a / b));
     }
+
+
+
+    /// Whether another pairing would follow from what the point learns.
+    template <int dim>
+    bool
+    can_learn(const ContactPoint<dim>     &point,
+              const ContactPairParameters &parameters)
+    {
+      return (point.hops_between_facets() && parameters.facet_overlap > 0.) ||
+             (point.hops_over_the_end() && parameters.end_overlap > 0.);
+    }
   } // namespace
 
 
@@ -238,7 +250,8 @@ namespace stickslip
     for (const auto &pair : contact.contact_pairs())
       for (auto &point : pair->points)
         {
-          is_new       = is_new || (!point.learns && point.hops());
+          is_new =
+            is_new || (!point.learns && can_learn(point, pair->parameters));
           point.learns = true;
         }
     return Utilities::MPI::max(is_new ? 1 : 0, contact.get_communicator()) > 0;

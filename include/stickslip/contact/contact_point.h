@@ -122,7 +122,7 @@ namespace stickslip
       was_clinging    = clings() && frame.paired && !frame.is_interior();
       pairing_changes = 0;
       // beyond its facet the point still needs what it has learnt
-      accepted_facet_changes = is_beyond_its_facet() ? facet_changes : 0;
+      accepted_facet_changes = is_beyond_its_facet() ? learnt_changes() : 0;
       facet_changes          = accepted_facet_changes;
     }
 
@@ -134,12 +134,19 @@ namespace stickslip
       pairing_changes = 0;
     }
 
-    /// From facet to facet, or to and fro over the end of the master surface.
+    /// From facet to facet in this step, so often that it would learn from it.
     bool
-    hops() const
+    hops_between_facets() const
     {
-      return facet_changes >= many_facet_changes ||
-             pairing_changes >= many_pairing_changes;
+      return facet_changes / many_facet_changes >
+             accepted_facet_changes / many_facet_changes;
+    }
+
+    /// Likewise, to and fro over the end of the master surface.
+    bool
+    hops_over_the_end() const
+    {
+      return pairing_changes >= many_pairing_changes;
     }
 
     /**
@@ -154,12 +161,18 @@ namespace stickslip
     PairingMemory
     pairing_memory() const
     {
-      const unsigned int n =
-        (learns ? facet_changes : accepted_facet_changes) / many_facet_changes;
+      const unsigned int n = learnt_changes() / many_facet_changes;
       return {n == 0 ? 0. : n == 1 ? 1. : n == 2 ? 10. : 50., clings()};
     }
 
   private:
+    /// Changes of facet that the point takes notice of.
+    unsigned int
+    learnt_changes() const
+    {
+      return learns ? facet_changes : accepted_facet_changes;
+    }
+
     bool
     is_beyond_its_facet() const
     {
@@ -172,8 +185,7 @@ namespace stickslip
     bool
     clings() const
     {
-      return was_clinging ||
-             (learns && pairing_changes >= many_pairing_changes);
+      return was_clinging || (learns && hops_over_the_end());
     }
   };
 } // namespace stickslip

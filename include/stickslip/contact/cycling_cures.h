@@ -83,7 +83,7 @@ namespace stickslip
     release();
 
     /// From now on all points learn in this step (ContactPoint::learns). True
-    /// if that is new and some hop.
+    /// if that is new and some hop whose overlaps are not 0.
     bool
     let_points_learn();
 
