@@ -335,21 +335,20 @@ namespace stickslip
   {
     if (faces.empty())
       return ContactFrame<dim>();
-    if (hint.paired && (hint.is_interior() || memory.overlap_factor > 0.))
+    const double overlap = memory.overlap_factor * tolerances.facet_overlap;
+    if (hint.paired && (hint.is_interior() || overlap > 0.))
       {
-        const unsigned int f = hint.face;
-        const auto         projection =
-          project_on_face(faces[f],
-                          current[f],
-                          shape,
-                          x_s,
-                          std::clamp(memory.overlap_factor *
-                                       tolerances.facet_overlap,
-                                     inside_tolerance,
-                                     largest_overlap));
+        const unsigned int f          = hint.face;
+        const auto         projection = project_on_face(faces[f],
+                                                current[f],
+                                                shape,
+                                                x_s,
+                                                std::clamp(overlap,
+                                                           inside_tolerance,
+                                                           largest_overlap));
         // far away another face may be the nearer one, but not for ever
-        const double near = memory.overlap_factor > 0. ? 1. : 0.25;
-        if (projection.found && projection.distance < near * faces[f].diameter)
+        const double farthest = (overlap > 0. ? 1. : 0.25) * faces[f].diameter;
+        if (projection.found && projection.distance < farthest)
           {
             MasterPoint<dim> point;
             evaluate_master_point(

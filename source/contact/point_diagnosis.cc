@@ -70,7 +70,8 @@ namespace stickslip
               }
             diagnosis.remedy = history.remedy(p, i);
             if (diagnosis.remedy.empty() &&
-                point.pairing_memory().overlap_factor > 0.)
+                point.pairing_memory().overlap_factor > 0. &&
+                pair.parameters.facet_overlap > 0.)
               diagnosis.remedy = "kept on its facet";
             if (cycle != cycles.end() && cycle->pair == p && cycle->point == i)
               {
