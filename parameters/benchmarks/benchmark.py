@@ -62,8 +62,9 @@ def read_csv(path):
 class Usage:
     """What a command took, and its exit code."""
 
-    def __init__(self, exit_code, seconds, cpu_seconds, peak_mebibytes):
+    def __init__(self, exit_code, seconds, cpu_seconds, peak_mebibytes, is_out_of_time=False):
         self.exit_code = exit_code
+        self.is_out_of_time = is_out_of_time  # was ended for that; mpirun hides it in its exit code
         self.seconds = seconds  # of wall clock; 0 if an earlier run is reused
         self.cpu_seconds = cpu_seconds  # in user mode, with all processes that it has waited for
         self.peak_mebibytes = peak_mebibytes  # resident, of the largest of these processes
@@ -72,16 +73,22 @@ class Usage:
 def measure(command, log, directory, variables=None, timeout=None):
     """Runs a command in a directory, its output in the file `log`; the environment is `environment()`."""
     start = time.time()
+    is_out_of_time = threading.Event()
+
+    def end():
+        is_out_of_time.set()
+        process.terminate()
+
     with open(log, "w") as stream:
         process = subprocess.Popen(command, stdout=stream, stderr=subprocess.STDOUT, cwd=directory,
                                    env={**environment(), **(variables or {})})
-        timer = threading.Timer(timeout or threading.TIMEOUT_MAX, process.terminate)
+        timer = threading.Timer(timeout or threading.TIMEOUT_MAX, end)
         timer.daemon = True
         timer.start()
         _, status, usage = os.wait4(process.pid, 0)
         timer.cancel()
     process.returncode = os.waitstatus_to_exitcode(status)
-    return Usage(process.returncode, time.time() - start, usage.ru_utime, usage.ru_maxrss / 1024)
+    return Usage(process.returncode, time.time() - start, usage.ru_utime, usage.ru_maxrss / 1024, is_out_of_time.is_set())
 
 
 class Result:
@@ -94,6 +101,7 @@ class Result:
         self.cpu_seconds = usage.cpu_seconds  # of all ranks
         self.peak_mebibytes = usage.peak_mebibytes  # of the largest rank
         self.exit_code = usage.exit_code
+        self.is_out_of_time = usage.is_out_of_time
 
     @property
     def converged(self):
