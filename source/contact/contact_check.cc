@@ -59,6 +59,7 @@ namespace stickslip
     }
 
 
+
     void
     raise(double &largest, const double value)
     {

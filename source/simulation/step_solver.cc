@@ -14,7 +14,6 @@ namespace stickslip
     /// Newton iterations, over the limit of one solve, that an algorithm of
     /// `automatic` may take in a step before the next one is tried.
     constexpr unsigned int iterations_before_next = 10;
-
   } // namespace
 
 
@@ -94,10 +93,10 @@ namespace stickslip
         const bool now_learning = cures.let_points_learn();
         if (!other_scales && !now_learning)
           throw;
-        log.note(algorithm + " failed: " + failure.what() +
-                 (other_scales
-                    ? "\ntrying r at the stiffness of the contact"
-                    : "\ntrying again; points that hop keep their facets"));
+        log.note(
+          algorithm + " failed: " + failure.what() + "\ntrying again" +
+          (other_scales ? "; r is at the stiffness of the contact" : "") +
+          (now_learning ? "; points that hop keep their facets" : ""));
         problem.restore();
         x = guess;
         attempt(algorithm, x);
