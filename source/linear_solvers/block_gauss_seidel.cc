@@ -50,12 +50,51 @@ namespace stickslip
 
 
   void
-  BlockGaussSeidel::reinit(const BlockMatrix<double> &A)
+  BlockGaussSeidel::set_order()
   {
-    matrix               = &A;
-    const unsigned int n = A.n_rows();
+    const NodeSpace  &space = matrix->column_space();
+    std::vector<bool> is_seen(space.n_owned(), false);
+    for (const auto &[rank, nodes] : space.seen_elsewhere())
+      for (const auto node : nodes)
+        is_seen[space.local(node)] = true;
+    order.clear();
+    for (unsigned int node = 0; node < space.n_owned(); ++node)
+      if (is_seen[node])
+        order.push_back(node);
+    n_seen = order.size();
+    for (unsigned int node = 0; node < space.n_owned(); ++node)
+      if (!is_seen[node])
+        order.push_back(node);
+  }
+
+
+
+  void
+  BlockGaussSeidel::reinit(BlockMatrix<double> &A)
+  {
+    matrix                 = &A;
+    const NodeSpace &space = A.column_space();
+    set_order();
+    exchange.reinit(space);
+    std::vector<unsigned int> place(space.n_local());
+    for (unsigned int k = 0; k < order.size(); ++k)
+      place[order[k]] = k + 1;
+    for (unsigned int node = space.n_owned(); node < space.n_local(); ++node)
+      place[node] = exchange.is_earlier(space.rank_of(space.global(node)))
+                      ? 0
+                      : order.size() + 1;
+    A.sort_columns(place);
+    split_rows();
+  }
+
+
+
+  void
+  BlockGaussSeidel::split_rows()
+  {
+    const BlockMatrix<double> &A = *matrix;
+    const unsigned int         n = A.n_rows();
     inverse_begins.assign(1, 0);
-    inverses.clear();
     diagonals.resize(n);
     lower_widths.resize(n);
     lower_residual.resize(A.row_begin(n));
@@ -151,17 +190,27 @@ namespace stickslip
 
 
   void
-  BlockGaussSeidel::subtract_ghosts_behind(const unsigned int         node,
-                                           const std::vector<double> &x,
-                                           double                    *y) const
+  BlockGaussSeidel::sweep_forwards(std::vector<double>       &x,
+                                   const std::vector<double> &b,
+                                   const bool                 from_zero) const
   {
-    std::size_t       first  = matrix->column_begin(node + 1);
-    unsigned int      offset = matrix->width(node);
-    const std::size_t end    = first;
-    while (first > diagonals[node] + 1 &&
-           matrix->column(first - 1) >= matrix->n_rows())
-      offset -= matrix->block_width(--first);
-    matrix->subtract_product(node, first, end, offset, x, y);
+    std::copy_n(b.begin(), lower_residual.size(), lower_residual.begin());
+    const auto relax = [&](const unsigned int first, const unsigned int end) {
+      for (unsigned int k = first; k < end; ++k)
+        {
+          const unsigned int node = order[k];
+          double *const rest = lower_residual.data() + matrix->row_begin(node);
+          subtract_lower(node, x, rest);
+          std::copy_n(rest, matrix->height(node), defect.begin());
+          if (!from_zero)
+            subtract_upper(node, x, defect.data());
+          set_from_defect(node, x);
+        }
+    };
+    exchange.receive(x, OrderedExchange::Neighbours::earlier);
+    relax(0, n_seen);
+    exchange.send(x, OrderedExchange::Neighbours::later);
+    relax(n_seen, order.size());
   }
 
 
@@ -169,14 +218,21 @@ namespace stickslip
   void
   BlockGaussSeidel::sweep_backwards(std::vector<double> &x) const
   {
-    for (unsigned int node = matrix->n_rows(); node-- > 0;)
-      {
-        std::copy_n(lower_residual.begin() + matrix->row_begin(node),
-                    matrix->height(node),
-                    defect.begin());
-        subtract_upper(node, x, defect.data());
-        set_from_defect(node, x);
-      }
+    const auto relax = [&](const unsigned int first, const unsigned int end) {
+      for (unsigned int k = end; k-- > first;)
+        {
+          const unsigned int node = order[k];
+          std::copy_n(lower_residual.begin() + matrix->row_begin(node),
+                      matrix->height(node),
+                      defect.begin());
+          subtract_upper(node, x, defect.data());
+          set_from_defect(node, x);
+        }
+    };
+    relax(n_seen, order.size());
+    exchange.receive(x, OrderedExchange::Neighbours::later);
+    relax(0, n_seen);
+    exchange.send(x, OrderedExchange::Neighbours::earlier);
   }
 
 
@@ -186,27 +242,17 @@ namespace stickslip
                           std::vector<double>       &residual,
                           const std::vector<double> &b) const
   {
-    const NodeSpace &space = matrix->column_space();
-    x.assign(space.begin(space.n_local()), 0.);
-    std::copy_n(b.begin(), lower_residual.size(), lower_residual.begin());
-    for (unsigned int node = 0; node < matrix->n_rows(); ++node)
-      {
-        double *const rest = lower_residual.data() + matrix->row_begin(node);
-        subtract_lower(node, x, rest);
-        std::copy_n(rest, matrix->height(node), defect.begin());
-        set_from_defect(node, x);
-      }
+    x.assign(matrix->column_space().begin(matrix->column_space().n_local()),
+             0.);
+    sweep_forwards(x, b, true);
     sweep_backwards(x);
-    space.update_ghosts(x);
+    exchange.send(x, OrderedExchange::Neighbours::later);
+    exchange.receive(x, OrderedExchange::Neighbours::earlier);
     residual.resize(lower_residual.size());
     for (unsigned int i = 0; i < residual.size(); ++i)
       residual[i] = b[i] - lower_residual[i];
     for (unsigned int node = 0; node < matrix->n_rows(); ++node)
-      {
-        double *const rest = residual.data() + matrix->row_begin(node);
-        subtract_lower(node, x, rest);
-        subtract_ghosts_behind(node, x, rest);
-      }
+      subtract_lower(node, x, residual.data() + matrix->row_begin(node));
   }
 
 
@@ -216,15 +262,7 @@ namespace stickslip
                            const std::vector<double> &b) const
   {
     matrix->column_space().update_ghosts(x);
-    std::copy_n(b.begin(), lower_residual.size(), lower_residual.begin());
-    for (unsigned int node = 0; node < matrix->n_rows(); ++node)
-      {
-        double *const rest = lower_residual.data() + matrix->row_begin(node);
-        subtract_lower(node, x, rest);
-        std::copy_n(rest, matrix->height(node), defect.begin());
-        subtract_upper(node, x, defect.data());
-        set_from_defect(node, x);
-      }
+    sweep_forwards(x, b, false);
     sweep_backwards(x);
   }
 

@@ -52,6 +52,51 @@ namespace stickslip
 
   template <typename Number>
   void
+  BlockMatrix<Number>::sort_columns(const std::vector<unsigned int> &place)
+  {
+    struct Block
+    {
+      unsigned int  column;
+      unsigned char width;
+      unsigned int  offset; ///< in the panel
+    };
+    std::vector<Block>  blocks;
+    std::vector<Number> before;
+    const auto          comes_first = [&](const Block &a, const Block &b) {
+      return place[a.column] < place[b.column];
+    };
+    for (unsigned int row = 0; row < n_rows(); ++row)
+      {
+        const std::size_t begin = rows.column_begins[row];
+        unsigned int      width = 0;
+        blocks.clear();
+        for (std::size_t k = begin; k < rows.column_begins[row + 1]; ++k)
+          {
+            blocks.push_back({rows.columns[k], rows.widths[k], width});
+            width += rows.widths[k];
+          }
+        if (std::is_sorted(blocks.begin(), blocks.end(), comes_first))
+          continue;
+        std::stable_sort(blocks.begin(), blocks.end(), comes_first);
+        Number *target = rows.panel(row);
+        before.assign(target, target + height(row) * width);
+        for (unsigned int r = 0; r < height(row); ++r)
+          for (const Block &block : blocks)
+            target = std::copy_n(before.begin() + r * width + block.offset,
+                                 block.width,
+                                 target);
+        for (unsigned int k = 0; k < blocks.size(); ++k)
+          {
+            rows.columns[begin + k] = blocks[k].column;
+            rows.widths[begin + k]  = blocks[k].width;
+          }
+      }
+  }
+
+
+
+  template <typename Number>
+  void
   BlockMatrix<Number>::subtract_product(const unsigned int         row,
                                         const std::size_t          first,
                                         const std::size_t          end,

@@ -8,7 +8,8 @@ namespace stickslip
 {
   namespace
   {
-    const char *const solver_name = "Linear solver (block AMG, contact zone)";
+    const char *const zone_solver_name =
+      "Linear solver (block AMG, contact zone)";
   }
 
 
@@ -153,7 +154,7 @@ namespace stickslip
       }
     catch (const ExceptionBase &)
       {
-        throw NoConvergence(solver_name,
+        throw NoConvergence(zone_solver_name,
                             "the matrix of the zone is singular",
                             FailureCause::singular);
       }
@@ -174,7 +175,7 @@ namespace stickslip
       }
     catch (const ExceptionBase &)
       {
-        throw NoConvergence(solver_name,
+        throw NoConvergence(zone_solver_name,
                             "the matrix of the zone is singular",
                             FailureCause::singular);
       }

@@ -228,10 +228,10 @@ namespace
     const NodeSpace nodes(
       std::vector<unsigned int>(lattice.owned.n_elements() / 3, 3),
       MPI_COMM_WORLD);
-    const BlockMatrix<double> A(read_blocks<double>({&lattice.matrix}, 3, true),
-                                nodes,
-                                nodes);
-    const NodeSpace          &space = A.column_space();
+    BlockMatrix<double> A(read_blocks<double>({&lattice.matrix}, 3, true),
+                          nodes,
+                          nodes);
+    const NodeSpace    &space = A.column_space();
 
     Modes       modes;
     const auto &given = *lattice.description.near_null_space;
@@ -312,14 +312,56 @@ namespace
     P.Tvmult(restricted, forces);
     print("P^T A P is that of products with vectors",
           difference(restricted, y, n) < 1e-12);
+  }
 
-    // a sweep leaves the residual that it says
-    std::vector<double>       u, residual, again(space.n_owned_unknowns());
-    const std::vector<double> b = vector_of(space);
+
+
+  /**
+   * Symmetric Gauss-Seidel sweeps M over all ranks: M^-1 A has no eigenvalue
+   * above 1 (with sweeps of each rank for itself it has).
+   */
+  void
+  test_sweeps()
+  {
+    print("Sweeps");
+    const Lattice   lattice(8, 1., 1.);
+    const NodeSpace nodes(
+      std::vector<unsigned int>(lattice.owned.n_elements() / 3, 3),
+      MPI_COMM_WORLD);
+    BlockMatrix<double> A(read_blocks<double>({&lattice.matrix}, 3, true),
+                          nodes,
+                          nodes);
+    BlockGaussSeidel    smoother;
+    smoother.reinit(A);
+    const NodeSpace    &space = A.column_space();
+    const unsigned int  n     = space.n_owned_unknowns();
+    std::vector<double> u, residual, again(n), b = vector_of(space);
     smoother.solve(u, residual, b);
     A.residual(again, u, b);
-    print("a sweep leaves the residual that it says",
-          difference(again, residual, again.size()) < 1e-12);
+    print("leave the residual that they say",
+          difference(again, residual, n) < 1e-12);
+
+    std::vector<double> from_zero = u;
+    std::fill(u.begin(), u.end(), 0.);
+    smoother.smooth(u, b);
+    print("are the same from zero as from a given zero",
+          difference(from_zero, u, n) < 1e-12);
+
+    double eigenvalue = 0.;
+    for (unsigned int step = 0; step < 200; ++step)
+      {
+        space.update_ghosts(u);
+        std::fill(b.begin(), b.end(), 0.);
+        A.vmult_add(b, u);
+        smoother.solve(u, residual, b);
+        double square = 0.;
+        for (unsigned int i = 0; i < n; ++i)
+          square += u[i] * u[i];
+        eigenvalue = std::sqrt(Utilities::MPI::sum(square, MPI_COMM_WORLD));
+        for (double &value : u)
+          value /= eigenvalue;
+      }
+    print("have no eigenvalue above 1", eigenvalue < 1. + 1e-8);
   }
 } // namespace
 
@@ -331,5 +373,6 @@ main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_coarse_level(false);
   test_coarse_level(true);
+  test_sweeps();
   test_convergence();
 }

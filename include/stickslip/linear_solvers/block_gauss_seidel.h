@@ -2,20 +2,25 @@
 #define stickslip_linear_solvers_block_gauss_seidel_h
 
 #include <stickslip/linear_solvers/block_matrix.h>
+#include <stickslip/linear_solvers/ordered_exchange.h>
 
 namespace stickslip
 {
   /**
-   * Gauss-Seidel sweeps that solve for all unknowns of a node at once. Between
-   * ranks they are Jacobi sweeps.
+   * Gauss-Seidel sweeps that solve for all unknowns of a node at once, over all
+   * ranks: first the nodes that other ranks see, rank after rank (see
+   * OrderedExchange), then the others, all ranks at the same time. (Sweeps of
+   * each rank for itself took up to a fifth more iterations on 4 ranks than on
+   * one.)
    */
   class BlockGaussSeidel
   {
   public:
     /// Inverts the diagonal blocks; zero pivots (unknowns without stiffness)
-    /// give zero. Keeps a reference to @p matrix.
+    /// give zero. Keeps a reference to @p matrix, and sorts its columns by the
+    /// order of the sweeps.
     void
-    reinit(const BlockMatrix<double> &matrix);
+    reinit(BlockMatrix<double> &matrix);
 
     /**
      * One sweep forwards and one backwards from x = 0, and the residual that is
@@ -52,6 +57,9 @@ namespace stickslip
 
   private:
     const BlockMatrix<double> *matrix = nullptr;
+    OrderedExchange            exchange;
+    std::vector<unsigned int>  order;      ///< of the owned nodes
+    unsigned int               n_seen = 0; ///< by other ranks: the first ones
     std::vector<std::size_t>   inverse_begins;
     std::vector<double>        inverses;
     std::vector<std::size_t>   diagonals;    ///< positions in the columns
@@ -60,7 +68,21 @@ namespace stickslip
     mutable std::vector<double> lower_residual; ///< b - L x1
     mutable std::vector<double> defect;         ///< of one node
 
-    /// (D + U) x = lower_residual, from the last node to the first one.
+    /// The nodes that other ranks see come first.
+    void
+    set_order();
+
+    /// Lower and upper parts of the rows, and the inverses.
+    void
+    split_rows();
+
+    /// (D + L) x1 = b - U x, which leaves lower_residual.
+    void
+    sweep_forwards(std::vector<double>       &x,
+                   const std::vector<double> &b,
+                   const bool                 from_zero) const;
+
+    /// (D + U) x = lower_residual; later ranks have their turn first.
     void
     sweep_backwards(std::vector<double> &x) const;
 
@@ -68,8 +90,7 @@ namespace stickslip
     void
     set_from_defect(const unsigned int node, std::vector<double> &x) const;
 
-    /// y -= L x and y -= U x in one node; L and U have the ghosts before and
-    /// behind the owned nodes.
+    /// y -= L x and y -= U x in one node.
     void
     subtract_lower(const unsigned int         node,
                    const std::vector<double> &x,
@@ -79,12 +100,6 @@ namespace stickslip
     subtract_upper(const unsigned int         node,
                    const std::vector<double> &x,
                    double                    *y) const;
-
-    /// The same with the ghosts behind the owned nodes.
-    void
-    subtract_ghosts_behind(const unsigned int         node,
-                           const std::vector<double> &x,
-                           double                    *y) const;
   };
 } // namespace stickslip
 

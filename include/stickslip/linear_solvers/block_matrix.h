@@ -83,6 +83,10 @@ namespace stickslip
       return row_begins[row + 1] - row_begins[row];
     }
 
+    /// Sorts the blocks of each row by @p place of their column (a local node).
+    void
+    sort_columns(const std::vector<unsigned int> &place);
+
     /**
      * y -= A x in one row of blocks, where A has its columns [first, end) only;
      * @p offset is the width of those before. Ghosts of @p x are up to date;
