@@ -71,6 +71,7 @@ namespace stickslip
 
   BlockAmgSolver::BlockAmgSolver(const LinearSolverParameters &parameters)
     : parameters(parameters)
+    , zone(parameters.largest_zone)
   {}
 
 

@@ -77,6 +77,14 @@ namespace stickslip
                       "changes iteration counts, not results.",
                       Patterns::Double(1e-6, 1e6));
     prm.add_parameter(
+      "Largest zone",
+      largest_zone,
+      "block AMG: unknowns of the contact zone (multipliers and "
+      "what they touch) up to which it is factorised as one. A "
+      "larger one is solved in overlapping parts of this size, "
+      "which may take more iterations.",
+      Patterns::Integer(100));
+    prm.add_parameter(
       "Rebuild factor",
       rebuild_factor,
       "block AMG: the multigrid hierarchy is kept for the next "

@@ -8,15 +8,31 @@ namespace stickslip
 {
   namespace
   {
-    const char *const zone_solver_name =
-      "Linear solver (block AMG, contact zone)";
-  }
+    /// Says what the library's error means.
+    template <typename Action>
+    void
+    or_singular(const Action &action)
+    {
+      try
+        {
+          action();
+        }
+      catch (const ExceptionBase &)
+        {
+          throw NoConvergence("Linear solver (block AMG, contact zone)",
+                              "the matrix of the zone is singular",
+                              FailureCause::singular);
+        }
+    }
+  } // namespace
 
 
 
-  ZoneSolver::ZoneSolver()
-    : first(0)
+  ZoneSolver::ZoneSolver(const unsigned int largest)
+    : largest(largest)
+    , first(0)
     , control(1, 0.)
+    , parts(largest)
   {}
 
 
@@ -122,15 +138,8 @@ namespace stickslip
 
 
   void
-  ZoneSolver::factorise(const LA::BlockSparseMatrix &matrix,
-                        const bool                   new_layout)
+  ZoneSolver::fill(const LA::BlockSparseMatrix &matrix)
   {
-    factorization.reset();
-    if (new_layout)
-      {
-        number_rows(matrix);
-        make_pattern(matrix);
-      }
     std::vector<types::global_dof_index> columns;
     std::vector<double>                  values;
     for (unsigned int k = 0; k < rows.size(); ++k)
@@ -146,18 +155,34 @@ namespace stickslip
         zone.set(first + k, columns, values, false);
       }
     zone.compress(VectorOperation::insert);
-    factorization = std::make_unique<LA::DirectSolver>(
-      control, LA::DirectSolver::AdditionalData(false, "Amesos_Mumps"));
-    try
+  }
+
+
+
+  void
+  ZoneSolver::factorise(const LA::BlockSparseMatrix &matrix,
+                        const bool                   new_layout)
+  {
+    factorization.reset();
+    if (new_layout)
       {
-        factorization->initialize(zone);
+        number_rows(matrix);
+        make_pattern(matrix);
       }
-    catch (const ExceptionBase &)
-      {
-        throw NoConvergence(zone_solver_name,
-                            "the matrix of the zone is singular",
-                            FailureCause::singular);
-      }
+    fill(matrix);
+    or_singular([&]() {
+      if (is_large())
+        {
+          std::vector<bool> is_multiplier;
+          for (const Row &row : rows)
+            is_multiplier.push_back(row.block == 1);
+          parts.factorise(zone, is_multiplier, new_layout);
+          return;
+        }
+      factorization = std::make_unique<LA::DirectSolver>(
+        control, LA::DirectSolver::AdditionalData(false, "Amesos_Mumps"));
+      factorization->initialize(zone);
+    });
   }
 
 
@@ -169,16 +194,12 @@ namespace stickslip
     for (unsigned int k = 0; k < rows.size(); ++k)
       rhs(first + k) = residual.block(rows[k].block)(rows[k].index);
     rhs.compress(VectorOperation::insert);
-    try
-      {
+    or_singular([&]() {
+      if (is_large())
+        parts.solve(solution, rhs);
+      else
         factorization->solve(solution, rhs);
-      }
-    catch (const ExceptionBase &)
-      {
-        throw NoConvergence(zone_solver_name,
-                            "the matrix of the zone is singular",
-                            FailureCause::singular);
-      }
+    });
     for (unsigned int k = 0; k < rows.size(); ++k)
       x.block(rows[k].block)(rows[k].index) += solution(first + k);
     x.compress(VectorOperation::add);

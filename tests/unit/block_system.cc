@@ -189,7 +189,7 @@ namespace
           residual.block(0).l2_norm() > 0.1 * before &&
             residual.block(0).l2_norm() < 100. * before);
 
-    ZoneSolver zone;
+    ZoneSolver zone(100000);
     zone.factorise(K, true);
     print("  unknowns of the zone: " + std::to_string(zone.n_unknowns()) +
           " of " + std::to_string(K.m()));

@@ -21,6 +21,7 @@ namespace stickslip
     unsigned int krylov_vectors        = 60;
     double       augmentation          = 4.;
     double       rebuild_factor        = 1.5;
+    unsigned int largest_zone          = 100000;
     std::string  largest_direct_system = "automatic";
 
     void

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/partitioner.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <vector>
@@ -51,6 +52,14 @@ namespace stickslip
     owns(const Index node) const
     {
       return node >= first && node < first + n_owned_nodes;
+    }
+
+    /// Whether a node is owned or a ghost.
+    bool
+    sees(const Index node) const
+    {
+      return owns(node) ||
+             std::binary_search(ghosts.begin(), ghosts.end(), node);
     }
 
     unsigned int

@@ -3,6 +3,8 @@
 
 #include <stickslip/base/block_system.h>
 
+#include <stickslip/linear_solvers/overlapping_parts.h>
+
 #include <deal.II/lac/solver_control.h>
 
 #include <array>
@@ -12,15 +14,18 @@
 namespace stickslip
 {
   /**
-   * Exact solves on the contact zone: all multipliers and all displacements
-   * that a row or column of a multiplier may touch. Its matrix is that part of
+   * Solves on the contact zone: all multipliers and all displacements that a
+   * row or column of a multiplier may touch. Its matrix is that part of
    * [A C; B -E], factorised by MUMPS. What Schur complements have to guess is
-   * here exact, and the zone is a surface: small.
+   * here exact, and the zone is a surface: small. A zone that is large for all
+   * that is factorised in overlapping parts.
    */
   class ZoneSolver
   {
   public:
-    ZoneSolver();
+    /// @p largest: unknowns up to which the zone is factorised as one, and of
+    /// a part of a larger zone.
+    explicit ZoneSolver(const unsigned int largest);
 
     /// Factorises the zone of @p matrix; the zone is determined anew only if
     /// @p new_layout. Throws NoConvergence if it is singular. Collective.
@@ -47,19 +52,30 @@ namespace stickslip
       types::global_dof_index index;
     };
 
+    const unsigned int                largest;
     std::vector<Row>                  rows;  ///< owned ones, in order
     types::global_dof_index           first; ///< number of rows[0] in the zone
     std::array<LA::Vector, 2>         numbers; ///< zone number + 1, ghosted
     LA::SparseMatrix                  zone;
     LA::Vector                        rhs, solution;
     SolverControl                     control;
-    std::unique_ptr<LA::DirectSolver> factorization;
+    std::unique_ptr<LA::DirectSolver> factorization; ///< of the whole zone
+    OverlappingParts                  parts; ///< if it is larger than `largest`
 
     void
     number_rows(const LA::BlockSparseMatrix &matrix);
 
     void
     make_pattern(const LA::BlockSparseMatrix &matrix);
+
+    void
+    fill(const LA::BlockSparseMatrix &matrix);
+
+    bool
+    is_large() const
+    {
+      return zone.m() > largest;
+    }
 
     /// Calls visit(zone column, value) for the entries of an owned row.
     template <typename Visitor>

@@ -1,0 +1,81 @@
+#ifndef stickslip_linear_solvers_overlapping_parts_h
+#define stickslip_linear_solvers_overlapping_parts_h
+
+#include <stickslip/linear_solvers/block_rows.h>
+
+#include <deal.II/lac/sparse_direct.h>
+
+#include <memory>
+#include <vector>
+
+namespace stickslip
+{
+  /**
+   * Approximate solves of a saddle point matrix [A C; B -E] that is too large
+   * to be factorised as one: restricted additive Schwarz (Cai and Sarkis, SIAM
+   * J. Sci. Comput. 21, 1999). Each rank cuts its rows into parts of bounded
+   * size. A part is solved with everything next to it, of other ranks as well,
+   * and sets its own unknowns. A multiplier is in a part only if all
+   * displacements that it touches are, so that no part is singular unless the
+   * whole is.
+   */
+  class OverlappingParts
+  {
+  public:
+    /// @p largest: rows of a part without its surroundings.
+    explicit OverlappingParts(const unsigned int largest);
+
+    ~OverlappingParts();
+
+    /**
+     * @p is_multiplier, by owned row: which rows are those of multipliers.
+     * @p new_pattern: the parts are chosen anew. Throws ExceptionBase if a part
+     * is singular. Collective.
+     */
+    void
+    factorise(const LA::SparseMatrix  &matrix,
+              const std::vector<bool> &is_multiplier,
+              const bool               new_pattern);
+
+    /// x = an approximate solution for @p b. Collective.
+    void
+    solve(LA::Vector &x, const LA::Vector &b) const;
+
+  private:
+    struct Part
+    {
+      std::vector<unsigned int> rows; ///< local ones, its own ones first
+      unsigned int              n_own = 0;
+      /// not copyable
+      std::unique_ptr<SparseDirectUMFPACK> factors;
+    };
+
+    /// The rows that this rank sees, by local numbers.
+    struct Rows;
+
+    const unsigned int        largest;
+    NodeSpace                 space;   ///< each row is a node
+    std::vector<unsigned int> part_of; ///< by owned row
+    unsigned int              n_parts = 0;
+    std::vector<Part>         parts;
+
+    /// Neighbours come into the same part.
+    void
+    choose_parts(const Rows &rows);
+
+    /// Adds what is next to the own rows of a part. @p place is `outside`
+    /// everywhere, and is so again afterwards.
+    void
+    add_surroundings(const Rows                &rows,
+                     const std::vector<double> &is_multiplier,
+                     std::vector<unsigned int> &place,
+                     Part                      &part) const;
+
+    void
+    factorise_part(const Rows                &rows,
+                   std::vector<unsigned int> &place,
+                   Part                      &part) const;
+  };
+} // namespace stickslip
+
+#endif
