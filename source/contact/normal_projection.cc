@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace stickslip
 {
@@ -10,6 +11,13 @@ namespace stickslip
     /// A Newton step after which the coordinates move by less than itself:
     /// enough to turn away a face far from the projection.
     constexpr double settled_step = 0.05;
+
+    /// Steps that do not change a coordinate.
+    constexpr double no_step = 1e-14;
+
+    /// Steps of this size after the usual iterations are roundoff, too.
+    constexpr double       idle_step        = 1e-12;
+    constexpr unsigned int usual_iterations = 6;
 
 
 
@@ -51,6 +59,21 @@ namespace stickslip
 
 
 
+    /// What the roundoff of the position of @p x_s, which may be far from the
+    /// origin, makes of a coordinate in a (small) face.
+    template <int dim>
+    double
+    coordinate_roundoff(const MasterConfiguration<dim> &configuration,
+                        const Tensor<1, dim>           &x_s)
+    {
+      const double size =
+        (configuration.positions.back() - configuration.positions.front())
+          .norm();
+      return std::numeric_limits<double>::epsilon() * x_s.norm() / size;
+    }
+
+
+
     /// Coordinate @p along of the point closest to @p x_s on a bent edge of a
     /// face in 3D, whose other coordinate is that of @p xi.
     double
@@ -73,7 +96,7 @@ namespace stickslip
             slope = point.a[along] * point.a[along];
           const double step = (point.a[along] * r) / slope;
           xi[along]         = std::clamp(xi[along] + step, -0.5, 1.5);
-          if (std::abs(step) < 1e-14)
+          if (std::abs(step) < no_step)
             break;
         }
       return xi[along];
@@ -94,8 +117,9 @@ namespace stickslip
     MasterPoint<dim> point;
     for (unsigned int d = 0; d < dim - 1; ++d)
       projection.xi[d] = 0.5;
-    double d_n       = 0.;
-    bool   converged = false;
+    const double roundoff  = coordinate_roundoff(configuration, x_s);
+    double       d_n       = 0.;
+    bool         converged = false;
     for (unsigned int iteration = 0; iteration < 30 && !converged; ++iteration)
       {
         evaluate_master_point(face, configuration, shape, projection.xi, point);
@@ -125,10 +149,9 @@ namespace stickslip
         if (largest < settled_step &&
             is_outside(projection.xi, overlap + settled_step))
           return projection;
-        converged = largest < 1e-14;
-        // roundoff of far away faces: no more progress to be had
-        if (iteration > 6 && largest < 1e-12)
-          converged = true;
+        converged = largest < no_step + roundoff ||
+                    (iteration > usual_iterations &&
+                     largest < idle_step + 10. * roundoff);
       }
     if (!converged)
       return projection;

@@ -224,7 +224,16 @@ namespace
       return Tensor<1, dim>(master.x + gap * master.n);
     };
 
-    bool inside = true, outside = true, overlap = true, edges = true;
+    // 1e5 times its size away from the origin
+    Tensor<1, dim>           offset;
+    MasterConfiguration<dim> far_away = configuration;
+    for (unsigned int d = 0; d < dim; ++d)
+      offset[d] = 1e5;
+    for (auto &x : far_away.positions)
+      x += offset;
+
+    bool inside = true, outside = true, overlap = true, edges = true,
+         everywhere = true;
     for (const double gap : {-0.2, 0., 0.1})
       {
         for (const double first : {0., 0.1, 0.5, 0.97})
@@ -235,6 +244,9 @@ namespace
             inside = inside && p.found && (p.xi - xi).norm() < 1e-12 &&
                      std::abs(p.distance - std::abs(gap)) < 1e-12 &&
                      p.free[0] && p.free[dim - 2] && p.overshoot == 0.;
+            const auto q = project_on_face(
+              face, far_away, shape, above(xi, gap) + offset, 1e-8);
+            everywhere = everywhere && q.found && (q.xi - xi).norm() < 1e-9;
           }
         const auto near = above(face_point<dim>(1.005, 0.4), gap);
         const auto far  = above(face_point<dim>(-0.02, 0.4), gap);
@@ -284,6 +296,7 @@ namespace
     print("  outside not found", outside);
     print("  found within the overlap", overlap);
     print("  edges and corners", edges);
+    print("  inside found far from the origin", everywhere);
   }
 
 
