@@ -149,11 +149,12 @@ class Benchmark:
             raise SystemExit(f"The program {self.program} is missing; call scripts/bench {name}, which builds it.")
 
     # ---------------------------------------------------------------- running
-    def run(self, parameter_file, label, overrides=None, ranks=None, may_fail=False, timeout=None):
+    def run(self, parameter_file, label, overrides=None, ranks=None, may_fail=False, timeout=None, variables=None):
         """
         Runs PARAMETER_FILE (of the benchmark's directory) into OUTPUT/label with
         overrides {"Section/Name": value}. A run that fails ends the benchmark,
-        unless may_fail: then the caller looks at result.converged.
+        unless may_fail: then the caller looks at result.converged. `variables` are
+        added to the environment.
         """
         directory = self.output / label
         log = directory / "log.txt"
@@ -173,7 +174,7 @@ class Benchmark:
 
         shutil.rmtree(directory, ignore_errors=True)
         directory.mkdir(parents=True)
-        usage = measure(command, log, self.directory, timeout=timeout)
+        usage = measure(command, log, self.directory, variables, timeout)
         spent.write_text(f"{usage.cpu_seconds} {usage.peak_mebibytes}")
         solved = usage.exit_code == 0
         if solved:
