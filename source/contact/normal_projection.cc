@@ -63,13 +63,13 @@ namespace stickslip
     /// origin, makes of a coordinate in a (small) face.
     template <int dim>
     double
-    coordinate_roundoff(const MasterConfiguration<dim> &configuration,
-                        const Tensor<1, dim>           &x_s)
+    coordinate_roundoff(const MasterPoint<dim> &point,
+                        const Tensor<1, dim>   &x_s)
     {
-      const double size =
-        (configuration.positions.back() - configuration.positions.front())
-          .norm();
-      return std::numeric_limits<double>::epsilon() * x_s.norm() / size;
+      double size = point.a[0].norm();
+      for (unsigned int d = 1; d < dim - 1; ++d)
+        size = std::min(size, point.a[d].norm());
+      return 4. * std::numeric_limits<double>::epsilon() * x_s.norm() / size;
     }
 
 
@@ -117,14 +117,16 @@ namespace stickslip
     MasterPoint<dim> point;
     for (unsigned int d = 0; d < dim - 1; ++d)
       projection.xi[d] = 0.5;
-    const double roundoff  = coordinate_roundoff(configuration, x_s);
-    double       d_n       = 0.;
-    bool         converged = false;
+    double d_n = 0., roundoff = 0.;
+    bool   converged = false;
     for (unsigned int iteration = 0; iteration < 30 && !converged; ++iteration)
       {
         evaluate_master_point(face, configuration, shape, projection.xi, point);
         if (iteration == 0)
-          d_n = (x_s - point.x) * point.n;
+          {
+            d_n      = (x_s - point.x) * point.n;
+            roundoff = coordinate_roundoff(point, x_s);
+          }
         const Tensor<1, dim> residual = x_s - point.x - d_n * point.n;
         Tensor<2, dim>       jacobian;
         for (unsigned int i = 0; i < dim; ++i)

@@ -53,17 +53,24 @@ namespace stickslip
   BlockGaussSeidel::set_order()
   {
     const NodeSpace  &space = matrix->column_space();
-    std::vector<bool> is_seen(space.n_owned(), false);
+    std::vector<bool> is_first(space.n_owned(), false);
     for (const auto &[rank, nodes] : space.seen_elsewhere())
       for (const auto node : nodes)
-        is_seen[space.local(node)] = true;
+        is_first[space.local(node)] = true;
+    // mostly the same ones
+    for (unsigned int row = 0; row < matrix->n_rows(); ++row)
+      for (auto k = matrix->column_begin(row);
+           k < matrix->column_begin(row + 1);
+           ++k)
+        if (matrix->column(k) >= space.n_owned())
+          is_first[row] = true;
     order.clear();
     for (unsigned int node = 0; node < space.n_owned(); ++node)
-      if (is_seen[node])
+      if (is_first[node])
         order.push_back(node);
-    n_seen = order.size();
+    n_first = order.size();
     for (unsigned int node = 0; node < space.n_owned(); ++node)
-      if (!is_seen[node])
+      if (!is_first[node])
         order.push_back(node);
   }
 
@@ -208,9 +215,9 @@ namespace stickslip
         }
     };
     exchange.receive(x, OrderedExchange::Neighbours::earlier);
-    relax(0, n_seen);
+    relax(0, n_first);
     exchange.send(x, OrderedExchange::Neighbours::later);
-    relax(n_seen, order.size());
+    relax(n_first, order.size());
   }
 
 
@@ -229,9 +236,9 @@ namespace stickslip
           set_from_defect(node, x);
         }
     };
-    relax(n_seen, order.size());
+    relax(n_first, order.size());
     exchange.receive(x, OrderedExchange::Neighbours::later);
-    relax(0, n_seen);
+    relax(0, n_first);
     exchange.send(x, OrderedExchange::Neighbours::earlier);
   }
 
@@ -261,7 +268,9 @@ namespace stickslip
   BlockGaussSeidel::smooth(std::vector<double>       &x,
                            const std::vector<double> &b) const
   {
-    matrix->column_space().update_ghosts(x);
+    // what the forward sweep sees of the given x
+    exchange.send(x, OrderedExchange::Neighbours::earlier);
+    exchange.receive(x, OrderedExchange::Neighbours::later);
     sweep_forwards(x, b, false);
     sweep_backwards(x);
   }

@@ -33,7 +33,7 @@ namespace stickslip
           }},
          {"block AMG",
           "flexible GMRES, preconditioned by algebraic multigrid for the "
-          "displacements and an exact solve in the contact zone",
+          "displacements and a direct solve in the contact zone",
           [](const LinearSolverParameters &parameters) {
             return std::make_unique<BlockAmgSolver>(parameters);
           }}});
@@ -81,7 +81,7 @@ namespace stickslip
       largest_zone,
       "block AMG: unknowns of the contact zone (multipliers and "
       "what they touch) up to which it is factorised as one. A "
-      "larger one is solved in overlapping parts of this size, "
+      "larger one is solved in overlapping parts of about this size, "
       "which may take more iterations.",
       Patterns::Integer(100));
     prm.add_parameter(

@@ -24,6 +24,7 @@ namespace stickslip
     std::vector<std::size_t>  begins{0};
     std::vector<unsigned int> columns; ///< or outside of what this rank sees
     std::vector<double>       values;
+    std::vector<double>       is_multiplier; ///< 1 or 0, by row
 
     void
     append(const BlockRows<double> &rows, const NodeSpace &space)
@@ -57,68 +58,96 @@ namespace stickslip
 
 
   void
-  OverlappingParts::factorise(const LA::SparseMatrix  &matrix,
-                              const std::vector<bool> &is_multiplier,
-                              const bool               new_pattern)
+  OverlappingParts::clear()
   {
     parts.clear();
-    const unsigned int n_owned = is_multiplier.size();
-    Rows               rows;
-    {
-      const auto owned = read_blocks<double>({&matrix}, 1, true);
-      space            = NodeSpace(std::vector<unsigned int>(n_owned, 1),
-                        matrix.get_mpi_communicator());
-      space.set_ghosts(foreign_columns(owned, space));
-      rows.append(owned, space);
-      rows.append(ghost_rows(owned, space), space);
-    }
-    if (new_pattern)
-      choose_parts(rows);
-    parts.resize(n_parts);
-    for (unsigned int row = 0; row < n_owned; ++row)
-      parts[part_of[row]].rows.push_back(row);
-    std::vector<double> is_constraint(is_multiplier.begin(),
-                                      is_multiplier.end());
-    is_constraint.resize(space.n_local());
-    space.update_ghosts(is_constraint);
-    std::vector<unsigned int> place(space.n_local(), outside);
-    bool                      is_singular = false;
-    for (Part &part : parts)
-      {
-        part.n_own = part.rows.size();
-        add_surroundings(rows, is_constraint, place, part);
-        try
-          {
-            factorise_part(rows, place, part);
-          }
-        catch (const ExceptionBase &)
-          {
-            is_singular = true;
-          }
-      }
-    // all ranks leave together
-    AssertThrow(Utilities::MPI::max(is_singular ? 1 : 0,
-                                    space.communicator()) == 0,
-                ExcMessage("A part is singular."));
   }
 
 
 
   void
-  OverlappingParts::choose_parts(const Rows &rows)
+  OverlappingParts::factorise(const LA::SparseMatrix  &matrix,
+                              const std::vector<bool> &is_multiplier,
+                              const bool               new_pattern)
+  {
+    parts.clear();
+    const Rows                rows = see_rows(matrix, is_multiplier);
+    std::vector<unsigned int> place(space.n_local(), outside);
+    bool                      failed = false;
+    try
+      {
+        if (new_pattern)
+          choose_parts(matrix);
+        start_parts();
+        for (Part &part : parts)
+          {
+            add_surroundings(rows, place, part);
+            factorise_part(rows, place, part);
+          }
+      }
+    catch (const ExceptionBase &)
+      {
+        failed = true;
+      }
+    // all ranks leave together
+    AssertThrow(Utilities::MPI::max(failed ? 1 : 0, space.communicator()) == 0,
+                ExcMessage("A part of the zone is singular."));
+  }
+
+
+
+  OverlappingParts::Rows
+  OverlappingParts::see_rows(const LA::SparseMatrix  &matrix,
+                             const std::vector<bool> &is_multiplier)
+  {
+    const auto owned = read_blocks<double>({&matrix}, 1, true);
+    space     = NodeSpace(std::vector<unsigned int>(is_multiplier.size(), 1),
+                      matrix.get_mpi_communicator());
+    auto seen = foreign_columns(owned, space);
+    space.set_ghosts(seen);
+    const auto flags = [&]() {
+      std::vector<double> values(is_multiplier.begin(), is_multiplier.end());
+      values.resize(space.n_local());
+      space.update_ghosts(values);
+      return values;
+    };
+    // and what multipliers of other ranks touch
+    const auto neighbours = ghost_rows(owned, space);
+    const auto is_one     = flags();
+    for (unsigned int row = 0; row < neighbours.n_rows(); ++row)
+      if (is_one[space.n_owned() + row] > 0.)
+        for (auto k = neighbours.column_begins[row];
+             k < neighbours.column_begins[row + 1];
+             ++k)
+          if (!space.owns(neighbours.columns[k]))
+            seen.push_back(neighbours.columns[k]);
+    space.set_ghosts(seen);
+    Rows rows;
+    rows.append(owned, space);
+    rows.append(ghost_rows(owned, space), space);
+    rows.is_multiplier = flags();
+    return rows;
+  }
+
+
+
+  void
+  OverlappingParts::choose_parts(const LA::SparseMatrix &matrix)
   {
     const unsigned int n_owned = space.n_owned();
     n_parts                    = (n_owned + largest - 1) / largest;
     part_of.assign(n_owned, 0);
     if (n_parts < 2)
       return;
+    // with zeros, which later matrices may fill
     DynamicSparsityPattern graph(n_owned, n_owned);
+    const auto             first = space.global(0);
     for (unsigned int row = 0; row < n_owned; ++row)
-      rows.visit(row, [&](const unsigned int column, const double) {
-        if (column < n_owned)
+      LA::visit_row(matrix, first + row, [&](const auto column, const double) {
+        if (space.owns(column))
           {
-            graph.add(row, column);
-            graph.add(column, row);
+            graph.add(row, column - first);
+            graph.add(column - first, row);
           }
       });
     SparsityPattern pattern;
@@ -129,8 +158,26 @@ namespace stickslip
 
 
   void
+  OverlappingParts::start_parts()
+  {
+    parts.resize(n_parts);
+    for (unsigned int row = 0; row < part_of.size(); ++row)
+      parts[part_of[row]].rows.push_back(row);
+    // METIS may leave some empty
+    parts.erase(std::remove_if(parts.begin(),
+                               parts.end(),
+                               [](const Part &part) {
+                                 return part.rows.empty();
+                               }),
+                parts.end());
+    for (Part &part : parts)
+      part.n_own = part.rows.size();
+  }
+
+
+
+  void
   OverlappingParts::add_surroundings(const Rows                &rows,
-                                     const std::vector<double> &is_multiplier,
                                      std::vector<unsigned int> &place,
                                      Part                      &part) const
   {
@@ -143,25 +190,17 @@ namespace stickslip
     };
     for (unsigned int i = 0; i < part.n_own; ++i)
       place[part.rows[i]] = i;
-    std::vector<unsigned int> candidates;
     for (unsigned int i = 0; i < part.n_own; ++i)
       rows.visit(part.rows[i], [&](const unsigned int column, const double) {
-        if (is_multiplier[column] == 0.)
-          include(column);
-        else
-          candidates.push_back(column);
+        include(column);
       });
-    for (const unsigned int row : candidates)
-      {
-        bool is_complete = true;
-        rows.visit(row, [&](const unsigned int column, const double) {
-          is_complete =
-            is_complete && column != outside &&
-            (is_multiplier[column] > 0. || place[column] != outside);
+    const unsigned int n_next = part.rows.size();
+    for (unsigned int i = part.n_own; i < n_next; ++i)
+      if (rows.is_multiplier[part.rows[i]] > 0.)
+        rows.visit(part.rows[i], [&](const unsigned int column, const double) {
+          if (column != outside && rows.is_multiplier[column] == 0.)
+            include(column);
         });
-        if (is_complete)
-          include(row);
-      }
     for (const unsigned int row : part.rows)
       place[row] = outside;
   }

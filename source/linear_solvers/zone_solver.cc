@@ -164,6 +164,7 @@ namespace stickslip
                         const bool                   new_layout)
   {
     factorization.reset();
+    parts.clear();
     if (new_layout)
       {
         number_rows(matrix);
@@ -194,12 +195,10 @@ namespace stickslip
     for (unsigned int k = 0; k < rows.size(); ++k)
       rhs(first + k) = residual.block(rows[k].block)(rows[k].index);
     rhs.compress(VectorOperation::insert);
-    or_singular([&]() {
-      if (is_large())
-        parts.solve(solution, rhs);
-      else
-        factorization->solve(solution, rhs);
-    });
+    if (is_large())
+      parts.solve(solution, rhs);
+    else
+      or_singular([&]() { factorization->solve(solution, rhs); });
     for (unsigned int k = 0; k < rows.size(); ++k)
       x.block(rows[k].block)(rows[k].index) += solution(first + k);
     x.compress(VectorOperation::add);

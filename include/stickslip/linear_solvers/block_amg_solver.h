@@ -10,7 +10,7 @@ namespace stickslip
 {
   /**
    * Flexible GMRES on [A C; B -E], preconditioned by a multigrid cycle on the
-   * augmented displacement block A + B^T D^-1 B followed by an exact solve of
+   * augmented displacement block A + B^T D^-1 B followed by a solve of
    * the residual that is left on the contact zone. No Schur complement is
    * approximated.
    *

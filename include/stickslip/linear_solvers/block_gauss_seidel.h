@@ -8,7 +8,7 @@ namespace stickslip
 {
   /**
    * Gauss-Seidel sweeps that solve for all unknowns of a node at once, over all
-   * ranks: first the nodes that other ranks see, rank after rank (see
+   * ranks: first the nodes beside those of other ranks, rank after rank (see
    * OrderedExchange), then the others, all ranks at the same time. (Sweeps of
    * each rank for itself took up to a fifth more iterations on 4 ranks than on
    * one.)
@@ -58,17 +58,17 @@ namespace stickslip
   private:
     const BlockMatrix<double> *matrix = nullptr;
     OrderedExchange            exchange;
-    std::vector<unsigned int>  order;      ///< of the owned nodes
-    unsigned int               n_seen = 0; ///< by other ranks: the first ones
-    std::vector<std::size_t>   inverse_begins;
-    std::vector<double>        inverses;
-    std::vector<std::size_t>   diagonals;    ///< positions in the columns
-    std::vector<unsigned int>  lower_widths; ///< before them in the panels
+    std::vector<unsigned int>  order;     ///< of the owned nodes
+    unsigned int             n_first = 0; ///< nodes beside those of other ranks
+    std::vector<std::size_t> inverse_begins;
+    std::vector<double>      inverses;
+    std::vector<std::size_t> diagonals;     ///< positions in the columns
+    std::vector<unsigned int> lower_widths; ///< before them in the panels
 
     mutable std::vector<double> lower_residual; ///< b - L x1
     mutable std::vector<double> defect;         ///< of one node
 
-    /// The nodes that other ranks see come first.
+    /// The nodes beside those of other ranks come first.
     void
     set_order();
 

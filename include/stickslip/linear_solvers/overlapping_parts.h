@@ -15,22 +15,26 @@ namespace stickslip
    * to be factorised as one: restricted additive Schwarz (Cai and Sarkis, SIAM
    * J. Sci. Comput. 21, 1999). Each rank cuts its rows into parts of bounded
    * size. A part is solved with everything next to it, of other ranks as well,
-   * and sets its own unknowns. A multiplier is in a part only if all
-   * displacements that it touches are, so that no part is singular unless the
-   * whole is.
+   * and sets its own unknowns. With a multiplier all displacements that it
+   * touches are in the part: no row of B is cut, and multipliers that are
+   * independent in the whole are so in the part.
    */
   class OverlappingParts
   {
   public:
-    /// @p largest: rows of a part without its surroundings.
+    /// @p largest: rows of a part without its surroundings, about.
     explicit OverlappingParts(const unsigned int largest);
 
     ~OverlappingParts();
 
+    /// Frees the factors.
+    void
+    clear();
+
     /**
      * @p is_multiplier, by owned row: which rows are those of multipliers.
-     * @p new_pattern: the parts are chosen anew. Throws ExceptionBase if a part
-     * is singular. Collective.
+     * @p new_pattern: the parts are chosen anew. Throws ExceptionBase on all
+     * ranks if a part is singular. Collective.
      */
     void
     factorise(const LA::SparseMatrix  &matrix,
@@ -59,15 +63,23 @@ namespace stickslip
     unsigned int              n_parts = 0;
     std::vector<Part>         parts;
 
+    /// Own rows, those next to them, and what multipliers among these touch.
+    Rows
+    see_rows(const LA::SparseMatrix  &matrix,
+             const std::vector<bool> &is_multiplier);
+
     /// Neighbours come into the same part.
     void
-    choose_parts(const Rows &rows);
+    choose_parts(const LA::SparseMatrix &matrix);
+
+    /// Own rows of each part.
+    void
+    start_parts();
 
     /// Adds what is next to the own rows of a part. @p place is `outside`
     /// everywhere, and is so again afterwards.
     void
     add_surroundings(const Rows                &rows,
-                     const std::vector<double> &is_multiplier,
                      std::vector<unsigned int> &place,
                      Part                      &part) const;
 

@@ -16,9 +16,9 @@ namespace stickslip
   /**
    * Solves on the contact zone: all multipliers and all displacements that a
    * row or column of a multiplier may touch. Its matrix is that part of
-   * [A C; B -E], factorised by MUMPS. What Schur complements have to guess is
-   * here exact, and the zone is a surface: small. A zone that is large for all
-   * that is factorised in overlapping parts.
+   * [A C; B -E], factorised by MUMPS, so that nothing has to be guessed of a
+   * Schur complement. It is a surface and small beside the bodies; where it is
+   * too large all the same, it is solved in overlapping parts.
    */
   class ZoneSolver
   {
