@@ -15,15 +15,21 @@ import re
 import sys
 import tempfile
 
-# A folder may include itself and these. Arrows go one way: each row lists all
-# that is reachable, and only names of rows above it.
+# A folder may include itself and these, with what is inside them. Arrows go one
+# way: each row lists all that is reachable, and only names of rows above it.
 MAY_INCLUDE = {
     "base": set(),
     "mesh": {"base"},
     "solid": {"base", "mesh"},
-    "contact": {"base", "mesh"},
+    "contact/surface": {"base", "mesh"},
+    "contact/point": {"base", "mesh", "contact/surface"},
+    "contact/pairing": {"base", "mesh", "contact/surface", "contact/point"},
+    "contact/assembly": {"base", "mesh", "contact/surface", "contact/point", "contact/pairing"},
+    "contact/cycling": {"base", "mesh", "contact/surface", "contact/point", "contact/pairing", "contact/assembly"},
+    "contact/results": {"base", "mesh", "contact/surface", "contact/point", "contact/pairing", "contact/assembly"},
     "problem": {"base", "mesh", "solid", "contact"},
-    "linear_solvers": {"base"},
+    "linear_solvers/multigrid": {"base"},
+    "linear_solvers": {"base", "linear_solvers/multigrid"},
     "strategy": {"base"},
     "output": {"base", "mesh", "solid", "contact", "problem"},
     "simulation": {"base", "mesh", "solid", "contact", "problem", "linear_solvers", "strategy", "output"},
@@ -33,16 +39,37 @@ INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTIL
 FORBIDDEN_NAME = re.compile(r"(^|_)(utils?|utilities|helpers?|common|managers?)(_|$)")
 
 
+def may_include(folder, target):
+    """TARGET is a folder of the table; a row that names its parent allows it too."""
+    allowed = MAY_INCLUDE[folder] | {folder}
+    return target in allowed or target.split("/")[0] in allowed - {folder}
+
+
+def check_table():
+    """Each row names rows above it only, and all that these reach."""
+    above = set()
+    for folder, targets in MAY_INCLUDE.items():
+        for target in targets:
+            inside = {row for row in above if row == target or row.startswith(target + "/")}
+            if not inside:
+                yield f"the table: {folder}/ may include {target}/, which is not above it"
+            for row in inside:
+                for reached in MAY_INCLUDE[row]:
+                    if not may_include(folder, reached):
+                        yield f"the table: {folder}/ reaches {reached}/ through {row}/ and does not name it"
+        above.add(folder)
+
+
 def check_arrows(folder, path, text):
     for bracket, included in INCLUDE.findall(text):
         if bracket == '"' and (folder is not None or "/" in included):
             # Tests may share a file beside them.
             yield f'{path}: includes "{included}"; write <stickslip/FOLDER/NAME.h>'
         elif included.startswith("stickslip/"):
-            target = included.split("/")[1]
+            target = included[len("stickslip/"):].rpartition("/")[0]
             if target not in MAY_INCLUDE:
                 yield f"{path}: includes <{included}> of the unknown folder {target}/"
-            elif folder is not None and target != folder and target not in MAY_INCLUDE[folder]:
+            elif folder is not None and not may_include(folder, target):
                 yield f"{path}: {folder}/ must not include {target}/ (<{included}>)"
         elif folder == "base" and "/" in included and not included.startswith(("deal.II/", "boost/")):
             yield f"{path}: base/ includes <{included}>, neither deal.II (with its boost) nor the standard library"
@@ -58,7 +85,7 @@ def check_text(path, text):
 
 def check_header(folder, path, text):
     # The list of headers to precompile is included by the compiler's command line.
-    guard = f"stickslip_{folder}_{path.stem}_h"
+    guard = f"stickslip_{folder.replace('/', '_')}_{path.stem}_h"
     if path.name != "precompiled.h" and not re.match(rf"#ifndef {guard}\n#define {guard}\n", text):
         yield f"{path}: must begin with the include guard {guard}"
 
@@ -97,15 +124,16 @@ def violations(root):
         text = path.read_text()
         short = path.relative_to(root)
         yield from check_text(short, text)
-        folder = path.parent.name
+        folder = "/".join(short.parts[2 if path in headers else 1:-1])
         if path in tests or short == pathlib.Path("source/main.cc"):
             folder = None  # above everything
-        elif folder not in MAY_INCLUDE or len(path.relative_to(root / short.parts[0]).parts) > 3:
+        elif folder not in MAY_INCLUDE:
             yield f"{short}: not in one of the folders {', '.join(MAY_INCLUDE)}"
             continue
         yield from check_arrows(folder, short, text)
         if path in headers:
             yield from check_header(folder, short, text)
+    yield from check_table()
     yield from check_layout(root, sources)
     yield from check_tests(root)
 
@@ -117,32 +145,36 @@ def self_test():
 
     good = {
         "include/stickslip/base/types.h": header("base", "types", "#include <deal.II/base/mpi.h>\n#include <vector>"),
-        "include/stickslip/contact/law.h": header("contact", "law", "#include <stickslip/base/types.h>"),
-        "source/contact/law.cc": "#include <stickslip/contact/law.h>\n",
+        "include/stickslip/contact/point/law.h": header("contact_point", "law", "#include <stickslip/base/types.h>"),
+        "source/contact/point/law.cc": "#include <stickslip/contact/point/law.h>\n",
+        "include/stickslip/problem/p.h": header("problem", "p", "#include <stickslip/contact/point/law.h>"),
         "source/main.cc": "#include <stickslip/simulation/simulation.h>\n",
-        "source/sources.txt": "# comment\ncontact/law.cc\n",
-        "tests/unit/law.cc": "#include <stickslip/contact/law.h>\n",
+        "source/sources.txt": "# comment\ncontact/point/law.cc\n",
+        "tests/unit/law.cc": "#include <stickslip/contact/point/law.h>\n",
         "tests/unit/law.output": "OK\n",
         "tests/application/case.prm": "set Dimension = 2\n",
         "tests/application/case.mpirun=2.output": "OK\n",
     }
     bad = {  # file, its text, a part of the message
         "upward arrow": ("include/stickslip/base/a.h", header("base", "a", "#include <stickslip/mesh/b.h>"), "must not include mesh/"),
-        "solid meets contact": ("include/stickslip/solid/a.h", header("solid", "a", " # include <stickslip/contact/law.h>"), "must not include contact/"),
+        "solid meets contact": ("include/stickslip/solid/a.h", header("solid", "a", " # include <stickslip/contact/point/law.h>"), "must not include contact/point/"),
         "strategy sees mechanics": ("include/stickslip/strategy/a.h", header("strategy", "a", "#include <stickslip/problem/p.h>"), "must not include problem/"),
         "base knows Trilinos": ("include/stickslip/base/a.h", header("base", "a", "#include <Teuchos/x.hpp>"), "neither deal.II"),
-        "quotes": ("source/contact/law.cc", '#include "law.h"\n', "write <stickslip/"),
+        "upward arrow inside contact": ("include/stickslip/contact/surface/a.h", header("contact_surface", "a", "#include <stickslip/contact/point/law.h>"), "must not include contact/point/"),
+        "multigrid sees the solvers": ("include/stickslip/linear_solvers/multigrid/a.h", header("linear_solvers_multigrid", "a", "#include <stickslip/linear_solvers/b.h>"), "must not include linear_solvers/"),
+        "a file in the hall": ("include/stickslip/contact/a.h", header("contact", "a"), "not in one of the folders"),
+        "quotes": ("source/contact/point/law.cc", '#include "law.h"\n', "write <stickslip/"),
         "path in quotes": ("tests/unit/a.cc", '#include "../law.h"\n', "write <stickslip/"),
         "unknown folder": ("include/stickslip/misc/a.h", header("misc", "a"), "not in one of the folders"),
         "unknown included folder": ("tests/unit/a.cc", "#include <stickslip/misc/a.h>\n", "unknown folder misc/"),
-        "long file": ("source/contact/law.cc", "\n" * (MAX_LINES + 1), "401 lines"),
+        "long file": ("source/contact/point/law.cc", "\n" * (MAX_LINES + 1), "401 lines"),
         "forbidden name": ("include/stickslip/mesh/mesh_utils.h", header("mesh", "mesh_utils"), "does not say"),
         "guard": ("include/stickslip/mesh/a.h", header("mesh", "b"), "include guard stickslip_mesh_a_h"),
-        "unlisted source": ("source/contact/other.cc", "\n", "not listed"),
-        "listed but absent": ("source/sources.txt", "contact/absent.cc\ncontact/law.cc\n", "does not exist"),
+        "unlisted source": ("source/contact/point/other.cc", "\n", "not listed"),
+        "listed but absent": ("source/sources.txt", "contact/absent.cc\ncontact/point/law.cc\n", "does not exist"),
         "uncompared test": ("tests/unit/other.cc", "\n", "no comparison file"),
         "uncompared case": ("tests/application/other.prm.in", "\n", "no comparison file"),
-        "unsorted": ("source/sources.txt", "contact/law.cc\ncontact/law.cc\n", "not sorted"),
+        "unsorted": ("source/sources.txt", "contact/point/law.cc\ncontact/point/law.cc\n", "not sorted"),
     }
 
     def found_in(files):

@@ -1,4 +1,4 @@
-#include <stickslip/linear_solvers/block_matrix.h>
+#include <stickslip/linear_solvers/multigrid/block_matrix.h>
 #include <stickslip/linear_solvers/overlapping_parts.h>
 
 #include <deal.II/base/mpi.h>

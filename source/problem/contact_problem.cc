@@ -1,9 +1,9 @@
 #include <stickslip/base/no_convergence.h>
 #include <stickslip/base/user_error.h>
 
-#include <stickslip/contact/contact_scales.h>
-#include <stickslip/contact/held_directions.h>
-#include <stickslip/contact/nodal_frames.h>
+#include <stickslip/contact/assembly/contact_scales.h>
+#include <stickslip/contact/assembly/held_directions.h>
+#include <stickslip/contact/assembly/nodal_frames.h>
 
 #include <stickslip/problem/contact_pairs.h>
 #include <stickslip/problem/contact_problem.h>

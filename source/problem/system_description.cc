@@ -1,4 +1,4 @@
-#include <stickslip/contact/multiplier_scales.h>
+#include <stickslip/contact/assembly/multiplier_scales.h>
 
 #include <stickslip/problem/rigid_modes.h>
 #include <stickslip/problem/system_description.h>

@@ -1,4 +1,4 @@
-#include <stickslip/contact/contact_results.h>
+#include <stickslip/contact/results/contact_results.h>
 
 #include <stickslip/output/diagnosis_output.h>
 

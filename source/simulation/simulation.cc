@@ -1,7 +1,7 @@
 #include <stickslip/base/no_convergence.h>
 #include <stickslip/base/user_error.h>
 
-#include <stickslip/contact/contact_results.h>
+#include <stickslip/contact/results/contact_results.h>
 
 #include <stickslip/output/diagnosis_output.h>
 #include <stickslip/output/output_directory.h>

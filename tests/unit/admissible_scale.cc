@@ -2,7 +2,7 @@
 // both states agree, no scanned r nearer to the natural one does by more than
 // the margin, and where no r helps none is found.
 
-#include <stickslip/contact/admissible_scale.h>
+#include <stickslip/contact/cycling/admissible_scale.h>
 
 #include <cmath>
 #include <functional>

@@ -5,8 +5,8 @@
 
 #include <stickslip/base/user_error.h>
 
-#include <stickslip/contact/contact_quadrature.h>
-#include <stickslip/contact/normal_projection.h>
+#include <stickslip/contact/surface/contact_quadrature.h>
+#include <stickslip/contact/surface/normal_projection.h>
 
 #include <algorithm>
 #include <cmath>

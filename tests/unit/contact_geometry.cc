@@ -2,7 +2,7 @@
 
 #include "print.h"
 
-#include <stickslip/contact/master_patch.h>
+#include <stickslip/contact/pairing/master_patch.h>
 
 #include <stickslip/mesh/mesh_builder.h>
 

@@ -4,8 +4,8 @@
 // One contact point with a slave and a master face, at the level of nodal
 // coordinates.
 
-#include <stickslip/contact/contact_element.h>
-#include <stickslip/contact/normal_projection.h>
+#include <stickslip/contact/point/contact_element.h>
+#include <stickslip/contact/surface/normal_projection.h>
 
 #include <cmath>
 #include <map>

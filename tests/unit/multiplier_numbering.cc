@@ -3,7 +3,7 @@
 
 #include "print.h"
 
-#include <stickslip/contact/multiplier_numbering.h>
+#include <stickslip/contact/surface/multiplier_numbering.h>
 
 #include <deal.II/base/mpi.h>
 

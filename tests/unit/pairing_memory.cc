@@ -1,7 +1,7 @@
 // What a contact point's changes of facet and partner mean for its next
 // pairing: nothing unless it learns, and in later steps what it has learnt.
 
-#include <stickslip/contact/contact_point.h>
+#include <stickslip/contact/point/contact_point.h>
 
 #include <iostream>
 #include <string>

@@ -4,8 +4,8 @@
 
 #include "print.h"
 
-#include <stickslip/linear_solvers/displacement_multigrid.h>
-#include <stickslip/linear_solvers/galerkin_product.h>
+#include <stickslip/linear_solvers/multigrid/displacement_multigrid.h>
+#include <stickslip/linear_solvers/multigrid/galerkin_product.h>
 
 #include <stickslip/solid/rigid_body_modes.h>
 

@@ -4,7 +4,7 @@
 
 #include "print.h"
 
-#include <stickslip/contact/status_history.h>
+#include <stickslip/contact/cycling/status_history.h>
 
 #include <stickslip/problem/contact_problem.h>
 

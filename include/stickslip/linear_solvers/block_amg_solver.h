@@ -1,9 +1,9 @@
 #ifndef stickslip_linear_solvers_block_amg_solver_h
 #define stickslip_linear_solvers_block_amg_solver_h
 
-#include <stickslip/linear_solvers/displacement_multigrid.h>
 #include <stickslip/linear_solvers/interface_augmentation.h>
 #include <stickslip/linear_solvers/linear_solver.h>
+#include <stickslip/linear_solvers/multigrid/displacement_multigrid.h>
 #include <stickslip/linear_solvers/zone_solver.h>
 
 namespace stickslip

@@ -1,7 +1,7 @@
 #ifndef stickslip_linear_solvers_overlapping_parts_h
 #define stickslip_linear_solvers_overlapping_parts_h
 
-#include <stickslip/linear_solvers/block_rows.h>
+#include <stickslip/linear_solvers/multigrid/block_rows.h>
 
 #include <deal.II/lac/sparse_direct.h>
 

@@ -1,7 +1,7 @@
 #ifndef stickslip_output_contact_output_h
 #define stickslip_output_contact_output_h
 
-#include <stickslip/contact/contact_result.h>
+#include <stickslip/contact/results/contact_result.h>
 #include <stickslip/output/output_parameters.h>
 #include <stickslip/output/output_series.h>
 

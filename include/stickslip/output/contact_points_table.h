@@ -1,7 +1,7 @@
 #ifndef stickslip_output_contact_points_table_h
 #define stickslip_output_contact_points_table_h
 
-#include <stickslip/contact/contact_result.h>
+#include <stickslip/contact/results/contact_result.h>
 
 #include <deal.II/base/mpi.h>
 

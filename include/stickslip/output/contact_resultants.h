@@ -1,7 +1,7 @@
 #ifndef stickslip_output_contact_resultants_h
 #define stickslip_output_contact_resultants_h
 
-#include <stickslip/contact/contact_result.h>
+#include <stickslip/contact/results/contact_result.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/point.h>

@@ -1,7 +1,7 @@
 #ifndef stickslip_output_diagnosis_output_h
 #define stickslip_output_diagnosis_output_h
 
-#include <stickslip/contact/point_diagnosis.h>
+#include <stickslip/contact/cycling/point_diagnosis.h>
 
 #include <string>
 #include <vector>

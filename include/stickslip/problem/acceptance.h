@@ -1,7 +1,7 @@
 #ifndef stickslip_problem_acceptance_h
 #define stickslip_problem_acceptance_h
 
-#include <stickslip/contact/contact_check.h>
+#include <stickslip/contact/results/contact_check.h>
 
 #include <stickslip/problem/contact_problem.h>
 

@@ -3,7 +3,7 @@
 
 #include <stickslip/base/parameter_file.h>
 
-#include <stickslip/contact/contact_pair.h>
+#include <stickslip/contact/pairing/contact_pair.h>
 
 #include <stickslip/mesh/body.h>
 

@@ -4,9 +4,9 @@
 #include <stickslip/base/parameter_file.h>
 #include <stickslip/base/solve_counts.h>
 
-#include <stickslip/contact/contact_assembler.h>
-#include <stickslip/contact/contact_parameters.h>
-#include <stickslip/contact/contact_quantities.h>
+#include <stickslip/contact/assembly/contact_assembler.h>
+#include <stickslip/contact/assembly/contact_quantities.h>
+#include <stickslip/contact/point/contact_parameters.h>
 
 #include <stickslip/mesh/mesh_builder.h>
 

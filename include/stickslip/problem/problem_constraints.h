@@ -1,7 +1,7 @@
 #ifndef stickslip_problem_problem_constraints_h
 #define stickslip_problem_problem_constraints_h
 
-#include <stickslip/contact/contact_assembler.h>
+#include <stickslip/contact/assembly/contact_assembler.h>
 
 #include <stickslip/mesh/body.h>
 

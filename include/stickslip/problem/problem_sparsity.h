@@ -1,7 +1,7 @@
 #ifndef stickslip_problem_problem_sparsity_h
 #define stickslip_problem_problem_sparsity_h
 
-#include <stickslip/contact/contact_assembler.h>
+#include <stickslip/contact/assembly/contact_assembler.h>
 
 #include <stickslip/problem/dof_layout.h>
 

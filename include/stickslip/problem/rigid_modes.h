@@ -3,7 +3,7 @@
 
 #include <stickslip/base/block_system.h>
 
-#include <stickslip/contact/contact_pair.h>
+#include <stickslip/contact/pairing/contact_pair.h>
 
 #include <stickslip/mesh/body.h>
 

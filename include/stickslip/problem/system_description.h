@@ -3,7 +3,7 @@
 
 #include <stickslip/base/block_system.h>
 
-#include <stickslip/contact/contact_assembler.h>
+#include <stickslip/contact/assembly/contact_assembler.h>
 
 #include <stickslip/mesh/body.h>
 

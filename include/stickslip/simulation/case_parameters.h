@@ -3,8 +3,8 @@
 
 #include <stickslip/base/parameter_file.h>
 
-#include <stickslip/contact/contact_parameters.h>
-#include <stickslip/contact/cycling_cures.h>
+#include <stickslip/contact/cycling/cycling_cures.h>
+#include <stickslip/contact/point/contact_parameters.h>
 
 #include <stickslip/linear_solvers/linear_solver.h>
 

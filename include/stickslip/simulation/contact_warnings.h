@@ -3,7 +3,7 @@
 
 #include <stickslip/base/parameter_file.h>
 
-#include <stickslip/contact/contact_parameters.h>
+#include <stickslip/contact/point/contact_parameters.h>
 
 #include <stickslip/output/contact_resultants.h>
 

@@ -4,8 +4,8 @@
 #include <stickslip/base/no_convergence.h>
 #include <stickslip/base/parameter_file.h>
 
-#include <stickslip/contact/contact_parameters.h>
-#include <stickslip/contact/point_diagnosis.h>
+#include <stickslip/contact/cycling/point_diagnosis.h>
+#include <stickslip/contact/point/contact_parameters.h>
 
 #include <stickslip/strategy/newton_solver.h>
 

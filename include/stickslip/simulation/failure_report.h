@@ -1,7 +1,7 @@
 #ifndef stickslip_simulation_failure_report_h
 #define stickslip_simulation_failure_report_h
 
-#include <stickslip/contact/status_history.h>
+#include <stickslip/contact/cycling/status_history.h>
 
 #include <stickslip/problem/contact_problem.h>
 

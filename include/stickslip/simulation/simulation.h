@@ -1,7 +1,7 @@
 #ifndef stickslip_simulation_simulation_h
 #define stickslip_simulation_simulation_h
 
-#include <stickslip/contact/status_history.h>
+#include <stickslip/contact/cycling/status_history.h>
 
 #include <stickslip/mesh/mesh_builder.h>
 

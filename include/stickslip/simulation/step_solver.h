@@ -1,7 +1,7 @@
 #ifndef stickslip_simulation_step_solver_h
 #define stickslip_simulation_step_solver_h
 
-#include <stickslip/contact/cycling_cures.h>
+#include <stickslip/contact/cycling/cycling_cures.h>
 
 #include <stickslip/linear_solvers/linear_solver.h>
 

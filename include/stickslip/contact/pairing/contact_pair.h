@@ -1,0 +1,117 @@
+#ifndef stickslip_contact_pairing_contact_pair_h
+#define stickslip_contact_pairing_contact_pair_h
+
+#include <stickslip/base/space_time_function.h>
+
+#include <stickslip/contact/pairing/master_patch.h>
+#include <stickslip/contact/point/contact_parameters.h>
+#include <stickslip/contact/point/contact_points.h>
+#include <stickslip/contact/surface/multiplier_numbering.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace stickslip
+{
+  /**
+   * A slave and a master surface: the slave faces and contact points of this
+   * rank and the patch of master faces around them. Knows geometry and
+   * parameters; the law and the assembly are elsewhere.
+   */
+  template <int dim>
+  class ContactPair
+  {
+  public:
+    /**
+     * @p modulus is the longitudinal modulus of a cell by material id
+     * (infinity: rigid). The boundary ids are those of the triangulation.
+     * Throws UserError (same on all ranks). Collective.
+     */
+    ContactPair(const std::string                  &name,
+                const ContactPairParameters        &parameters,
+                const std::set<types::boundary_id> &slave_boundary,
+                const std::set<types::boundary_id> &master_boundary,
+                const std::set<types::boundary_id> &excluded_boundary,
+                const Mapping<dim>                 &mapping,
+                const DoFHandler<dim>              &dof_handler,
+                const std::function<double(const types::material_id)> &modulus,
+                const MPI_Comm &communicator);
+
+    /// 1 (frictionless) or dim.
+    unsigned int
+    n_multiplier_components() const;
+
+    /// Multiplier nodes of the owned slave faces (first displacement dofs).
+    std::vector<types::global_dof_index>
+    multiplier_keys() const;
+
+    /// Nodes without contact, among the locally relevant ones.
+    const std::set<types::global_dof_index> &
+    excluded_keys() const
+    {
+      return excluded;
+    }
+
+    void
+    set_multiplier_dofs(const MultiplierNumbering &numbering,
+                        const unsigned int         pair_index);
+
+    /// Fetches the master patch if a node moved by more than half its margin
+    /// since the last time (always with @p force). True if it did. Collective.
+    bool
+    update_patch(const LA::Vector &u, const bool force);
+
+    /// Evaluates what the user adds to the gap at @p time. Throws UserError
+    /// (same on all ranks) if that is not a number somewhere. Collective.
+    void
+    update_gap_offsets(const double time);
+
+    /// Positions of both sides from ghosted displacements, now and at the
+    /// start of the step.
+    void
+    update_configuration(const LA::Vector &u, const LA::Vector &u_old);
+
+    /// Pairing and frame of a point in the present configuration.
+    ContactFrame<dim>
+    find_frame(const ContactPoint<dim> &point) const;
+
+    SlavePosition<dim>
+    slave_position(const ContactPoint<dim> &point) const;
+
+    /// Current over reference area of the slave surface at a point.
+    double
+    area_ratio(const ContactPoint<dim> &point) const;
+
+    const ContactPairParameters       parameters;
+    const std::string                 name;
+    const FaceShape<dim>              displacement_shape;
+    const FaceShape<dim>              multiplier_shape;
+    SlaveShapeTable<dim>              table;
+    std::vector<SlaveFace<dim>>       slave_faces;
+    std::vector<ContactPoint<dim>>    points;
+    std::unique_ptr<MasterPatch<dim>> patch;
+    double largest_slave_diameter = 0.;    ///< over ranks
+    double softest_modulus        = 0.;    ///< of both sides, over ranks
+    bool   has_to_hold            = false; ///< a body that nothing else holds
+
+    /// Current and old positions of the nodes of an owned slave face.
+    const std::vector<Tensor<1, dim>> &
+    slave_positions(const unsigned int slave_face) const
+    {
+      return positions[slave_face];
+    }
+
+  private:
+    SpaceTimeFunction<dim>                   gap_offset;
+    MPI_Comm                                 communicator;
+    std::set<types::global_dof_index>        excluded;
+    std::vector<std::vector<Tensor<1, dim>>> positions;
+    std::vector<std::vector<Tensor<1, dim>>> old_positions;
+    std::vector<std::vector<Tensor<1, dim>>> positions_at_fetch;
+    std::vector<std::vector<Tensor<1, dim>>> master_positions_at_fetch;
+    double                                   margin = 0.;
+  };
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,153 @@
+#ifndef stickslip_contact_pairing_master_patch_h
+#define stickslip_contact_pairing_master_patch_h
+
+#include <stickslip/contact/point/contact_kinematics.h>
+#include <stickslip/contact/surface/normal_projection.h>
+
+#include <deal.II/base/bounding_box.h>
+
+#include <deal.II/numerics/rtree.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace stickslip
+{
+  /// Current positions of the first @p n stencil nodes of a face.
+  template <int dim>
+  void
+  read_positions(const SurfaceFace<dim>      &face,
+                 const unsigned int           n,
+                 const LA::Vector            &u,
+                 std::vector<Tensor<1, dim>> &positions);
+
+  /// As in ContactPairParameters; the overlaps and the projection tolerance are
+  /// fractions of the face size.
+  struct PairingTolerances
+  {
+    double search_distance; ///< [length]
+    double projection_tolerance;
+    double facet_overlap;
+    double end_overlap;
+  };
+
+
+
+  /**
+   * The master faces that the slave points of this rank may meet, copied from
+   * the ranks that own them: a rank holds no more of the master surface than
+   * what lies around its slave points.
+   */
+  template <int dim>
+  class MasterPatch
+  {
+  public:
+    /// @p owned are the master faces of this rank's cells.
+    MasterPatch(std::vector<SurfaceFace<dim>> owned,
+                const FaceShape<dim>         &shape,
+                const PairingTolerances      &tolerances,
+                const MPI_Comm               &communicator);
+
+    /**
+     * Collects the faces within search distance plus @p margin of the
+     * @p slave_boxes of every rank. Collective.
+     */
+    void
+    fetch(const std::vector<BoundingBox<dim>> &slave_boxes,
+          const LA::Vector                    &u,
+          const double                         margin);
+
+    /// Displacement dofs of the patch, to be added to the ghost entries of u.
+    std::vector<types::global_dof_index>
+    dofs() const;
+
+    /// New configuration from ghosted displacements now and at step start.
+    void
+    update(const LA::Vector &u, const LA::Vector &u_old);
+
+    /**
+     * Pairs a slave point: the nearest face on which it projects, else the
+     * nearest edge or corner. @p slave_normal is the slave's outward normal;
+     * only master facets that look at it are considered. Does not depend on the
+     * order of faces. A face that the point is paired with already (@p hint)
+     * is kept while the projection is at most `facet_overlap` times the factor
+     * of @p memory outside of it, and a point that clings keeps a partner up to
+     * `end_overlap` beyond the end of the surface: without that a point at a
+     * kink or at the end changes its partner for ever. The tangent basis is not
+     * set.
+     */
+    ContactFrame<dim>
+    find(const Tensor<1, dim>    &x_s,
+         const Tensor<1, dim>    &slave_normal,
+         const ContactFrame<dim> &hint,
+         const PairingMemory     &memory) const;
+
+    /// Brings a frame made before fetch() to the present patch; unpaired if
+    /// its face is not there any more.
+    void
+    relocate(ContactFrame<dim> &frame) const;
+
+    /// Index of a face of the patch by its name; the number of faces if it is
+    /// not there.
+    unsigned int
+    index_of(const FaceId &id) const;
+
+    const SurfaceFace<dim> &
+    face(const unsigned int f) const
+    {
+      return faces[f];
+    }
+
+    const MasterConfiguration<dim> &
+    configuration(const unsigned int f) const
+    {
+      return current[f];
+    }
+
+    const MasterConfiguration<dim> &
+    old_configuration(const unsigned int f) const
+    {
+      return old[f];
+    }
+
+    const FaceShape<dim> &
+    face_shape() const
+    {
+      return shape;
+    }
+
+    const std::vector<SurfaceFace<dim>> &
+    owned_faces() const
+    {
+      return owned;
+    }
+
+  private:
+    using Box = std::pair<BoundingBox<dim>, unsigned int>;
+
+    std::vector<SurfaceFace<dim>>         owned;
+    std::vector<SurfaceFace<dim>>         faces;
+    std::vector<MasterConfiguration<dim>> current;
+    std::vector<MasterConfiguration<dim>> old;
+    RTree<Box>                            tree;
+    const FaceShape<dim>                  shape;
+    const PairingTolerances               tolerances;
+    MPI_Comm                              communicator;
+
+    /// Candidate faces around @p x_s by distance of their boxes.
+    std::vector<std::pair<double, unsigned int>>
+    candidates(const Tensor<1, dim> &x_s, const unsigned int at_most) const;
+
+    /// Nearest of the candidates on which x_s projects, inside or on an edge.
+    ContactFrame<dim>
+    nearest(const Tensor<1, dim>                               &x_s,
+            const Tensor<1, dim>                               &slave_normal,
+            const std::vector<std::pair<double, unsigned int>> &candidates,
+            const PairingMemory                                &memory,
+            const bool                                          on_edges,
+            double                                             &distance) const;
+  };
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,137 @@
+#ifndef stickslip_contact_point_contact_kinematics_h
+#define stickslip_contact_point_contact_kinematics_h
+
+#include <stickslip/contact/surface/master_geometry.h>
+
+namespace stickslip
+{
+  /**
+   * The few quantities through which the nodal unknowns enter a contact point.
+   * Everything at the point is differentiated with respect to these:
+   *
+   * - W: x_s - xbar at fixed xi (dim);
+   * - C_alpha: d xbar / d xi_alpha at fixed xi (dim each);
+   * - M: interpolated nodal normal at fixed xi (dim; smoothed normals only);
+   * - E: slave direction that carries the tangent basis (dim; 3D only);
+   * - lambda_n, and the components of Lambda on the tangent basis.
+   */
+  template <int dim>
+  struct GeneralizedCoordinates
+  {
+    static constexpr unsigned int W      = 0;
+    static constexpr unsigned int C      = W + dim;
+    static constexpr unsigned int M      = C + dim * (dim - 1);
+    static constexpr unsigned int E      = M + dim;
+    static constexpr unsigned int lambda = E + dim;
+    static constexpr unsigned int Lambda = lambda + 1;
+    static constexpr unsigned int n      = Lambda + dim - 1;
+    /// Rows that a contact point produces: W, C_alpha, lambda, Lambda.
+    using Row = std::array<double, n>;
+  };
+
+  /// Pairing and local frame of a contact point: what a frozen geometry keeps.
+  template <int dim>
+  struct ContactFrame
+  {
+    bool                                paired = false;
+    unsigned int                        face   = 0; ///< in the local patch
+    FaceId                              face_id;    ///< the same, everywhere
+    Point<dim - 1>                      xi;
+    std::array<bool, dim - 1>           free{};
+    Tensor<1, dim>                      n; ///< into the master
+    std::array<Tensor<1, dim>, dim - 1> tau;
+
+    /// False on an edge or a corner of the face.
+    bool
+    is_interior() const
+    {
+      for (const bool direction_is_free : free)
+        if (!direction_is_free)
+          return false;
+      return true;
+    }
+  };
+
+  /// What a contact point's past means for its next pairing.
+  struct PairingMemory
+  {
+    double overlap_factor = 0.; ///< of the facet overlap; 0: the facet may go
+    bool   clings = false; ///< to the end of the master surface, when beyond it
+  };
+
+  /// The slave's side of a contact point, now and at the start of the step.
+  template <int dim>
+  struct SlavePosition
+  {
+    Tensor<1, dim> x;
+    Tensor<1, dim> x_old;
+    Tensor<1, dim> direction; ///< E (unused in 2D)
+    double         gap_offset = 0.;
+  };
+
+  /**
+   * Gap, slip increment and frame of a contact point, with derivatives with
+   * respect to the generalized coordinates (formulation 3.4).
+   */
+  template <int dim>
+  struct ContactKinematics
+  {
+    using Row = typename GeneralizedCoordinates<dim>::Row;
+
+    double         d_n = 0.; ///< <= 0 open
+    Tensor<1, dim> d_t;      ///< slip of the step, slave - master
+    Tensor<1, dim> motion;   ///< w: the step's relative motion, slave - master
+    /// Projector on tangential directions without slip (see hold_slip()).
+    Tensor<2, dim>                      held;
+    bool                                is_held = false; ///< held is not 0
+    Tensor<1, dim>                      n;
+    std::array<Tensor<1, dim>, dim - 1> tau;
+    std::array<Tensor<1, dim>, dim - 1> a;
+
+    std::array<Row, dim - 1>                  D_xi;
+    Row                                       D_d_n;
+    std::array<Row, dim>                      D_n;
+    std::array<Row, dim>                      D_d_t;
+    std::array<std::array<Row, dim>, dim - 1> D_tau;
+  };
+
+  /**
+   * Tangent basis of the plane normal to @p n. In 2D n turned by 90 degrees; in
+   * 3D tau_1 is the slave direction @p e projected on the plane and
+   * tau_2 = n x tau_1. It does not depend on how master facets are numbered and
+   * turns with the slave.
+   */
+  template <int dim>
+  std::array<Tensor<1, dim>, dim - 1>
+  tangent_basis(const Tensor<1, dim> &n, const Tensor<1, dim> &e);
+
+  /**
+   * Evaluates the kinematics for @p frame. @p master is the master point at
+   * frame.xi now, @p master_old at the start of the step. The derivatives are
+   * filled only if @p differentiate; with @p geometry_is_live they contain the
+   * variations of xi, n and tau, otherwise these are constants.
+   */
+  template <int dim>
+  void
+  evaluate_contact_kinematics(const ContactFrame<dim>  &frame,
+                              const MasterPoint<dim>   &master,
+                              const MasterPoint<dim>   &master_old,
+                              const SlavePosition<dim> &slave,
+                              const bool                smoothed_normals,
+                              const bool                geometry_is_live,
+                              const bool                differentiate,
+                              ContactKinematics<dim>   &kinematics);
+
+  /**
+   * Takes away the slip along the orthonormal @p directions (at most dim - 1,
+   * none of them normal), projected on the tangent plane; the derivative, too,
+   * if @p differentiate.
+   */
+  template <int dim>
+  void
+  hold_slip(const std::vector<Tensor<1, dim>> &directions,
+            const bool                         differentiate,
+            ContactKinematics<dim>            &kinematics);
+} // namespace stickslip
+
+#endif

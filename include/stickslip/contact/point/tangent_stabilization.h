@@ -1,0 +1,32 @@
+#ifndef stickslip_contact_point_tangent_stabilization_h
+#define stickslip_contact_point_tangent_stabilization_h
+
+#include <stickslip/contact/point/contact_element.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+namespace stickslip
+{
+  /**
+   * What is added to the tangent, never to the residual, where the law's own
+   * derivative leaves something undetermined. The answer stays the same.
+   */
+
+  /// Before any pressure there is no friction threshold, and a body that only
+  /// friction holds would be free: in that first iteration closed points are
+  /// held by a weak tangential spring.
+  template <int dim>
+  void
+  assume_stick_before_first_pressure(const ContactPoint<dim> &point,
+                                     ContactEvaluation<dim>  &state);
+
+  /// A sticking node whose tangential displacement is prescribed leaves Lambda
+  /// undetermined: it keeps the value that it has.
+  template <int dim>
+  void
+  keep_undetermined_Lambda(const ContactElement<dim>    &element,
+                           const ContactEvaluation<dim> &state,
+                           FullMatrix<double>           &local);
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,59 @@
+#ifndef stickslip_contact_surface_face_shape_h
+#define stickslip_contact_surface_face_shape_h
+
+#include <stickslip/base/types.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/polynomial.h>
+#include <deal.II/base/tensor.h>
+
+#include <vector>
+
+namespace stickslip
+{
+  /// Values and derivatives of the face shape functions at one point.
+  template <int dim>
+  struct FaceShapeValues
+  {
+    std::vector<double>             value;
+    std::vector<Tensor<1, dim - 1>> gradient; ///< with respect to xi
+    std::vector<Tensor<2, dim - 1>> hessian;
+  };
+
+  /**
+   * Lagrange shape functions of a face of a FE_Q(degree) cell: tensor products
+   * on [0,1]^(dim-1) with Gauss-Lobatto nodes in lexicographic order. They
+   * describe positions, displacements and multipliers on slave and master
+   * faces alike (formulation, eqs. 14 and 15).
+   */
+  template <int dim>
+  class FaceShape
+  {
+  public:
+    explicit FaceShape(const unsigned int degree);
+
+    unsigned int
+    degree() const;
+
+    unsigned int
+    n_nodes() const;
+
+    const Point<dim - 1> &
+    node(const unsigned int j) const;
+
+    /// Only the values.
+    void
+    evaluate_values(const Point<dim - 1> &xi, std::vector<double> &value) const;
+
+    /// Values, gradients and Hessians.
+    void
+    evaluate(const Point<dim - 1> &xi, FaceShapeValues<dim> &shape) const;
+
+  private:
+    unsigned int                                 n_1d;
+    std::vector<Polynomials::Polynomial<double>> basis;
+    std::vector<Point<dim - 1>>                  nodes;
+  };
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,186 @@
+#ifndef stickslip_contact_surface_surface_face_h
+#define stickslip_contact_surface_surface_face_h
+
+#include <stickslip/base/types.h>
+
+#include <stickslip/contact/surface/face_shape.h>
+
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/base/point.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/mapping.h>
+
+#include <array>
+#include <functional>
+#include <set>
+#include <vector>
+
+namespace stickslip
+{
+  /// Name of a face that does not depend on the partition.
+  struct FaceId
+  {
+    std::array<unsigned int, 4> cell{};
+    unsigned int                face = 0;
+
+    bool
+    operator<(const FaceId &other) const
+    {
+      return cell != other.cell ? cell < other.cell : face < other.face;
+    }
+
+    bool
+    operator==(const FaceId &other) const
+    {
+      return cell == other.cell && face == other.face;
+    }
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &cell &face;
+    }
+  };
+
+
+
+  /**
+   * One facet's part of an averaged nodal normal: the two (one) tangents of
+   * that facet at the node, as linear combinations of stencil nodes.
+   */
+  template <int dim>
+  struct NormalContribution
+  {
+    double                          orientation = 1.;
+    std::vector<unsigned int>       nodes; ///< stencil indices
+    std::vector<Tensor<1, dim - 1>> gradients;
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &orientation &nodes &gradients;
+    }
+  };
+
+
+
+  /**
+   * A face of a contact surface with all that a rank needs to know about it,
+   * whoever owns its cell. The stencil is its own nodes (first `n_nodes`,
+   * lexicographic) followed by the neighbours' nodes that its averaged normals
+   * depend on.
+   */
+  template <int dim>
+  struct SurfaceFace
+  {
+    FaceId                               id;
+    unsigned int                         n_nodes = 0;
+    std::vector<types::global_dof_index> dofs;   ///< [stencil node * dim + c]
+    std::vector<Point<dim>> reference_positions; ///< of the stencil
+    double                  orientation =
+      1.; ///< makes orientation * a_1 x a_2 point into the body
+    double compliance = 0.; ///< cell height / longitudinal modulus; 0 if rigid
+    double diameter   = 0.; ///< of the reference face
+    std::vector<std::vector<NormalContribution<dim>>>
+      nodal_normals; ///< empty: facet normals
+
+    unsigned int
+    n_stencil_nodes() const
+    {
+      return reference_positions.size();
+    }
+
+    template <class Archive>
+    void
+    serialize(Archive &archive, const unsigned int)
+    {
+      archive &id &n_nodes &dofs &reference_positions &orientation &compliance
+        &diameter &nodal_normals;
+    }
+  };
+
+
+
+  /// A slave face: its displacements and its multipliers.
+  template <int dim>
+  struct SlaveFace
+  {
+    SurfaceFace<dim> face;
+    std::vector<types::global_dof_index>
+      multiplier_dofs; ///< [node * n_comp + c]
+  };
+
+
+
+  /// Vector orthogonal to the surface tangents @p a (their cross product).
+  template <int dim>
+  Tensor<1, dim>
+  surface_normal(const std::array<Tensor<1, dim>, dim - 1> &a)
+  {
+    if constexpr (dim == 2)
+      return Tensor<1, dim>({-a[0][1], a[0][0]});
+    else
+      return cross_product_3d(a[0], a[1]);
+  }
+
+
+
+  /// Tangents a_alpha of a face at a point, from the gradients of its shape
+  /// functions there and the positions of its nodes.
+  template <int dim>
+  std::array<Tensor<1, dim>, dim - 1>
+  surface_tangents(const std::vector<Tensor<1, dim - 1>> &gradient,
+                   const std::vector<Tensor<1, dim>>     &node_positions)
+  {
+    std::array<Tensor<1, dim>, dim - 1> a;
+    for (unsigned int j = 0; j < node_positions.size(); ++j)
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        a[d] += gradient[j][d] * node_positions[j];
+    return a;
+  }
+
+
+
+  /// A face together with where its cell is.
+  template <int dim>
+  struct CollectedFace
+  {
+    SurfaceFace<dim>                               face;
+    typename DoFHandler<dim>::active_cell_iterator cell;
+    unsigned int                                   face_no;
+  };
+
+
+
+  /**
+   * Faces with the given boundary ids on locally owned cells and, if
+   * @p with_ghosts, on ghost cells; sorted by FaceId, the nodal normals empty.
+   * @p compliance_modulus gives the longitudinal modulus of a cell, or
+   * infinity for a rigid one. Not collective.
+   */
+  template <int dim>
+  std::vector<CollectedFace<dim>>
+  collect_faces(const Mapping<dim>                 &mapping,
+                const DoFHandler<dim>              &dof_handler,
+                const std::set<types::boundary_id> &boundary_ids,
+                const std::function<double(const types::material_id)> &modulus,
+                const bool with_ghosts);
+
+  /**
+   * Fills the nodal normals of the faces on locally owned cells from all given
+   * faces (which must contain the ghost ones), averaging only facets whose
+   * reference normals at the node differ by less than @p angle [radian], and
+   * drops the faces on ghost cells.
+   */
+  template <int dim>
+  void
+  add_nodal_normals(std::vector<CollectedFace<dim>> &faces,
+                    const FaceShape<dim>            &shape,
+                    const double                     angle);
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,62 @@
+#ifndef stickslip_linear_solvers_multigrid_aggregation_h
+#define stickslip_linear_solvers_multigrid_aggregation_h
+
+#include <stickslip/linear_solvers/multigrid/block_matrix.h>
+
+namespace stickslip
+{
+  /// Groups of nodes of one rank that a coarse node will stand for.
+  struct Aggregates
+  {
+    static constexpr unsigned int none = -1;
+
+    unsigned int              n = 0;
+    std::vector<unsigned int> of_node; ///< none: no neighbours, needs no coarse
+                                       ///< level
+  };
+
+
+
+  /**
+   * Aggregates of the nodes that @p matrix couples, within each rank: nodes
+   * whose neighbourhood is free with this neighbourhood, then the others with
+   * the neighbouring aggregate that they have most connections with (Vanek,
+   * Mandel, Brezina 1996). What is left makes aggregates of its own.
+   */
+  Aggregates
+  find_aggregates(const BlockMatrix<double> &matrix);
+
+
+
+  /// Vectors that the coarse levels have to represent: [unknown * n_vectors +
+  /// vector] for the owned unknowns.
+  struct Modes
+  {
+    unsigned int        n_vectors = 0;
+    std::vector<double> values;
+  };
+
+
+
+  /// What the modes become in aggregates.
+  struct TentativeProlongation
+  {
+    NodeSpace         coarse; ///< a node for each aggregate
+    BlockRows<double> rows;   ///< at most one block in each
+    Modes             coarse_modes;
+  };
+
+
+
+  /**
+   * An orthonormal basis of the modes in each aggregate, with as many columns
+   * as there are independent modes: an aggregate inside a body has six in
+   * space, one across a contact surface more. Collective.
+   */
+  TentativeProlongation
+  tentative_prolongation(const NodeSpace  &fine,
+                         const Aggregates &aggregates,
+                         const Modes      &modes);
+} // namespace stickslip
+
+#endif

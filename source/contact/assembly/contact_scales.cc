@@ -1,0 +1,148 @@
+#include <stickslip/contact/assembly/contact_scales.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <string>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// Strain at which a contact without pressure yet is expected to work.
+    constexpr double expected_strain = 1e-3;
+
+
+
+    /// Strain below which a pressure is nothing but the roundoff of a gap.
+    constexpr double roundoff_strain = 1e-12;
+
+
+
+    /// Size of the open Lambda rows beside the closed ones: so small that the
+    /// sum over the points of a node hardly jumps when one of them opens.
+    constexpr double open_row_factor = 1e-6;
+
+
+
+    /// Stick that is assumed before the first pressure, over the stiffness of
+    /// the contact: so weak that the first iteration is nearly the frictionless
+    /// one, from which fewer points change their status later. Only a pair that
+    /// has to hold a body sticks with its full stiffness.
+    constexpr double weak_stick = 1e-4;
+
+
+
+    /// What the factors of a point multiply.
+    struct ScaleUnits
+    {
+      double n = 1.; ///< [stress/length]
+      double t = 1.; ///< [1/length]
+    };
+
+
+
+    template <int dim>
+    ScaleUnits
+    units_of(const ContactPair<dim> &pair, const Regularization &r)
+    {
+      const std::string &scale = pair.parameters.regularization.scale;
+      if (scale == "automatic")
+        return {r.natural_r_n, r.natural_r_t};
+      if (scale == "plain")
+        return {};
+      const double mu = pair.parameters.friction == "Tresca"
+                          ? 1.
+                          : pair.parameters.friction_coefficient;
+      // frictionless: r_t is not used, but it is divided by
+      return {100. * pair.softest_modulus,
+              10. * (mu > 0. ? mu : 1.) * pair.softest_modulus};
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  double
+  contact_stiffness(const ContactPair<dim>  &pair,
+                    const ContactPoint<dim> &point)
+  {
+    double compliance = pair.slave_faces[point.slave_face].face.compliance;
+    if (point.frame.paired)
+      compliance += pair.patch->face(point.frame.face).compliance;
+    // an unpaired rigid slave carries no force: any number will do
+    return compliance > 0. ? 1. / compliance : 1.;
+  }
+
+
+
+  template <int dim>
+  void
+  update_contact_scales(ContactAssembler<dim> &contact)
+  {
+    for (const auto &pair : contact.contact_pairs())
+      {
+        const ContactPairParameters &parameters = pair->parameters;
+        const RegularizationFactors  factor =
+          parameters.regularization.factors(parameters.quadrature);
+
+        std::vector<double> thresholds;
+        double              largest = 0.;
+        for (auto &point : pair->points)
+          {
+            const double height =
+              pair->slave_faces[point.slave_face].face.diameter;
+            point.regularization.negligible_threshold =
+              parameters.friction_coefficient * roundoff_strain *
+              contact_stiffness(*pair, point) * height;
+            const bool closed = contact.live_closed(*pair, point);
+            double     s      = parameters.tresca_threshold;
+            if (parameters.friction == "Coulomb")
+              s = closed ? contact.live_threshold(*pair, point) : 0.;
+            if (s <= point.regularization.negligible_threshold)
+              s = 0.;
+            thresholds.push_back(s);
+            largest = std::max(largest, s);
+          }
+        largest = Utilities::MPI::max(largest, contact.get_communicator());
+
+        for (unsigned int i = 0; i < pair->points.size(); ++i)
+          {
+            ContactPoint<dim> &point = pair->points[i];
+            const double       k     = contact_stiffness(*pair, point);
+            const double       height =
+              pair->slave_faces[point.slave_face].face.diameter;
+            double s = std::max(thresholds[i], 0.01 * largest);
+            if (s == 0.)
+              s = std::max(parameters.friction_coefficient, 1e-3) *
+                  expected_strain * k * height;
+            Regularization &r      = point.regularization;
+            r.natural_r_n          = k;
+            r.natural_r_t          = k / s;
+            const ScaleUnits units = units_of(*pair, r);
+            const double     n     = point.cure.r_n_factor * units.n;
+            const double     t     = point.cure.r_t_factor * units.t;
+            r.r_n_status           = n * factor.r_n_status;
+            r.r_n_augmentation     = n * factor.r_n_augmentation;
+            r.r_n_law              = n * factor.r_n_law;
+            r.r_t_status           = t * factor.r_t_status;
+            r.r_t_augmentation     = t * factor.r_t_augmentation;
+            r.r_t_law              = t * factor.r_t_law;
+            r.threshold_scale      = s;
+            r.initial_stiffness    = 0.;
+            if (parameters.has_friction() && largest == 0.)
+              r.initial_stiffness = k * (pair->has_to_hold ? 1. : weak_stick);
+            r.open_scale = open_row_factor * s / r.r_t_law;
+          }
+      }
+  }
+
+  template double
+  contact_stiffness(const ContactPair<2> &, const ContactPoint<2> &);
+  template double
+  contact_stiffness(const ContactPair<3> &, const ContactPoint<3> &);
+  template void
+  update_contact_scales(ContactAssembler<2> &);
+  template void
+  update_contact_scales(ContactAssembler<3> &);
+} // namespace stickslip

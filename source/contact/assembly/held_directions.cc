@@ -1,0 +1,248 @@
+#include <stickslip/contact/assembly/held_directions.h>
+
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// Free unknowns that move a point by less than this do not move it.
+    constexpr double no_mobility = 1e-5;
+
+    /// r_t times a prescribed motion below this is none (far below the contact
+    /// tolerance, far above roundoff).
+    constexpr double no_motion = 1e-10;
+
+    /// A direction is tangential if this much of its square is.
+    constexpr double tangential_part = 0.01;
+
+
+
+    /// How free unknowns move the point: relative motion = sum of value times
+    /// increment, plus what constraints prescribe.
+    template <int dim>
+    struct RelativeMotion
+    {
+      std::map<types::global_dof_index, Tensor<1, dim>> free;
+      Tensor<1, dim>                                    prescribed;
+    };
+
+
+
+    template <int dim>
+    RelativeMotion<dim>
+    relative_motion(const ContactPair<dim>       &pair,
+                    const ContactPoint<dim>      &point,
+                    const ContactEvaluation<dim> &state,
+                    const Constraints            &constraints)
+    {
+      RelativeMotion<dim> motion;
+      const auto add = [&](const std::vector<types::global_dof_index> &dofs,
+                           const std::vector<double>                  &shape,
+                           const double                                sign) {
+        for (unsigned int j = 0; j < shape.size(); ++j)
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              const auto   dof   = dofs[j * dim + c];
+              const double value = sign * shape[j];
+              if (!constraints.is_constrained(dof))
+                motion.free[dof][c] += value;
+              else
+                {
+                  for (const auto &[other, weight] :
+                       *constraints.get_constraint_entries(dof))
+                    motion.free[other][c] += value * weight;
+                  motion.prescribed[c] +=
+                    value * constraints.get_inhomogeneity(dof);
+                }
+            }
+      };
+      add(pair.slave_faces[point.slave_face].face.dofs,
+          pair.table.displacement[point.quadrature_index].value,
+          1.);
+      add(pair.patch->face(point.frame.face).dofs,
+          state.master.shape.value,
+          -1.);
+      return motion;
+    }
+
+
+
+    /// Orthonormal eigenvectors of @p K whose eigenvalue is at most @p bound.
+    template <int dim>
+    std::vector<Tensor<1, dim>>
+    null_directions(const SymmetricTensor<2, dim> &K, const double bound)
+    {
+      std::vector<Tensor<1, dim>> directions;
+      for (const auto &[value, vector] :
+           eigenvectors(K, SymmetricTensorEigenvectorMethod::jacobi))
+        if (value <= bound)
+          directions.push_back(vector);
+      return directions;
+    }
+
+
+
+    /// True if no constraint touches the slave nodes of the point: every
+    /// direction is as free as the next, and nothing has to be evaluated.
+    template <int dim>
+    bool
+    moves_freely(const ContactPair<dim>  &pair,
+                 const ContactPoint<dim> &point,
+                 const Constraints       &constraints)
+    {
+      const auto &dofs = pair.slave_faces[point.slave_face].face.dofs;
+      return std::none_of(dofs.begin(), dofs.end(), [&](const auto dof) {
+        return constraints.is_constrained(dof);
+      });
+    }
+
+
+
+    /// Squares of the motion that free unknowns, or the step, give the point.
+    template <int dim>
+    SymmetricTensor<2, dim>
+    mobility(const ContactPair<dim>       &pair,
+             const ContactPoint<dim>      &point,
+             const ContactEvaluation<dim> &state,
+             const Constraints            &constraints)
+    {
+      const auto motion = relative_motion(pair, point, state, constraints);
+      SymmetricTensor<2, dim> K;
+      for (const auto &[dof, value] : motion.free)
+        K += symmetrize(outer_product(value, value));
+      const Tensor<1, dim> w = state.kinematics.motion + motion.prescribed;
+      Tensor<1, dim>       driven;
+      for (const auto &h : null_directions(K, no_mobility * no_mobility))
+        driven += (h * w) * h;
+      if (point.regularization.r_t_law * driven.norm() > no_motion)
+        {
+          driven /= driven.norm();
+          K += symmetrize(outer_product(driven, driven));
+        }
+      return K;
+    }
+
+
+
+    /// The tangential ones among the directions that are held.
+    template <int dim>
+    std::vector<Tensor<1, dim>>
+    tangential_directions(const std::vector<Tensor<1, dim>> &held,
+                          const Tensor<1, dim>              &n)
+    {
+      SymmetricTensor<2, dim> sum;
+      for (const auto &h : held)
+        {
+          const Tensor<1, dim> t = h - (h * n) * n;
+          sum += symmetrize(outer_product(t, t));
+        }
+      std::vector<Tensor<1, dim>> result;
+      for (const auto &[value, vector] :
+           eigenvectors(sum, SymmetricTensorEigenvectorMethod::jacobi))
+        if (value > tangential_part)
+          result.push_back(vector);
+      return result;
+    }
+
+
+
+    /// Weighted mobilities of the multiplier nodes: row k of the tensor of a
+    /// node is in vector k at the node's multipliers.
+    template <int dim>
+    using NodalTensors = std::array<LA::Vector, dim>;
+
+
+
+    template <int dim>
+    NodalTensors<dim>
+    nodal_mobilities(ContactAssembler<dim> &contact,
+                     const Constraints     &constraints)
+    {
+      const auto       &multipliers = contact.multipliers();
+      NodalTensors<dim> sum, ghosted;
+      for (unsigned int k = 0; k < dim; ++k)
+        {
+          sum[k].reinit(multipliers.locally_owned(),
+                        contact.get_communicator());
+          ghosted[k].reinit(multipliers.locally_owned(),
+                            multipliers.locally_relevant(),
+                            contact.get_communicator());
+        }
+      for (const auto &pair : contact.contact_pairs())
+        if (pair->parameters.has_friction())
+          for (const auto &point : pair->points)
+            {
+              if (!point.frame.paired)
+                continue;
+              const SymmetricTensor<2, dim> K =
+                moves_freely(*pair, point, constraints)
+                  ? unit_symmetric_tensor<dim>()
+                  : mobility(*pair,
+                             point,
+                             contact.evaluate(*pair, point),
+                             constraints);
+              const auto &dofs =
+                pair->slave_faces[point.slave_face].multiplier_dofs;
+              const auto &L = pair->table.multiplier[point.quadrature_index];
+              for (unsigned int l = 0; l < L.size(); ++l)
+                for (unsigned int k = 0; k < dim; ++k)
+                  for (unsigned int c = 0; c < dim; ++c)
+                    sum[k](dofs[l * dim + c]) += std::abs(L[l]) * K[k][c];
+            }
+      for (unsigned int k = 0; k < dim; ++k)
+        {
+          sum[k].compress(VectorOperation::add);
+          ghosted[k] = sum[k];
+        }
+      return ghosted;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  update_held_directions(ContactAssembler<dim> &contact,
+                         const Constraints     &constraints,
+                         const LA::Vector      &accepted_multipliers)
+  {
+    const auto nodal = nodal_mobilities(contact, constraints);
+    for (const auto &pair : contact.contact_pairs())
+      if (pair->parameters.has_friction())
+        for (auto &point : pair->points)
+          {
+            point.held_directions.clear();
+            if (!point.frame.paired || moves_freely(*pair, point, constraints))
+              continue;
+            const auto &dofs =
+              pair->slave_faces[point.slave_face].multiplier_dofs;
+            const auto &L = pair->table.multiplier[point.quadrature_index];
+            SymmetricTensor<2, dim> K;
+            for (unsigned int l = 0; l < L.size(); ++l)
+              if (std::abs(L[l]) > 1e-12)
+                for (unsigned int k = 0; k < dim; ++k)
+                  for (unsigned int c = k; c < dim; ++c)
+                    K[k][c] += nodal[k](dofs[l * dim + c]);
+            point.held_directions = tangential_directions(
+              null_directions(K, no_mobility * no_mobility), point.frame.n);
+            if (point.held_directions.empty())
+              continue;
+            point.kept_Lambda =
+              contact.multipliers_at(*pair, point, accepted_multipliers).Lambda;
+          }
+  }
+
+  template void
+  update_held_directions(ContactAssembler<2> &,
+                         const Constraints &,
+                         const LA::Vector &);
+  template void
+  update_held_directions(ContactAssembler<3> &,
+                         const Constraints &,
+                         const LA::Vector &);
+} // namespace stickslip

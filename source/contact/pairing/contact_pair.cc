@@ -1,0 +1,317 @@
+#include <stickslip/base/user_error.h>
+
+#include <stickslip/contact/pairing/contact_pair.h>
+#include <stickslip/contact/point/contact_points.h>
+#include <stickslip/contact/surface/contact_quadrature.h>
+#include <stickslip/contact/surface/excluded_nodes.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace stickslip
+{
+  namespace
+  {
+    std::string
+    path_of(const std::string &pair_name)
+    {
+      return "Contact/" + pair_name;
+    }
+
+
+
+    /// Smallest modulus of the cells behind @p faces.
+    template <typename Faces>
+    double
+    softest(const Faces                                           &faces,
+            const std::function<double(const types::material_id)> &modulus)
+    {
+      double smallest = std::numeric_limits<double>::infinity();
+      for (const auto &face : faces)
+        smallest = std::min(smallest, modulus(face.cell->material_id()));
+      return smallest;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ContactPair<dim>::ContactPair(
+    const std::string                                     &name,
+    const ContactPairParameters                           &parameters,
+    const std::set<types::boundary_id>                    &slave_boundary,
+    const std::set<types::boundary_id>                    &master_boundary,
+    const std::set<types::boundary_id>                    &excluded_boundary,
+    const Mapping<dim>                                    &mapping,
+    const DoFHandler<dim>                                 &dof_handler,
+    const std::function<double(const types::material_id)> &modulus,
+    const MPI_Comm                                        &communicator)
+    : parameters(parameters)
+    , name(name)
+    , displacement_shape(dof_handler.get_fe().degree)
+    , multiplier_shape(parameters.multiplier_space == "vertices"
+                         ? 1
+                         : dof_handler.get_fe().degree)
+    , gap_offset(parameters.gap_offset, 1, path_of(name) + "/Gap offset")
+    , communicator(communicator)
+  {
+    for (const auto id : slave_boundary)
+      if (master_boundary.count(id) > 0)
+        throw UserError("'" + path_of(name) +
+                        "': the slave and the master set share a boundary of "
+                        "body '" +
+                        parameters.slave_body +
+                        "'. A surface cannot be both in one pair.");
+
+    const auto slaves =
+      collect_faces(mapping, dof_handler, slave_boundary, modulus, true);
+    auto masters =
+      collect_faces(mapping, dof_handler, master_boundary, modulus, true);
+    if (parameters.normals == "smoothed")
+      add_nodal_normals(masters,
+                        displacement_shape,
+                        parameters.smoothing_angle * numbers::PI / 180.);
+    std::vector<SurfaceFace<dim>> owned_masters;
+    for (const auto &master : masters)
+      if (master.cell->is_locally_owned())
+        owned_masters.push_back(master.face);
+
+    for (const auto &slave : slaves)
+      if (slave.cell->is_locally_owned())
+        {
+          slave_faces.push_back({slave.face, {}});
+          largest_slave_diameter =
+            std::max(largest_slave_diameter, slave.face.diameter);
+        }
+    largest_slave_diameter =
+      Utilities::MPI::max(largest_slave_diameter, communicator);
+    softest_modulus = Utilities::MPI::min(std::min(softest(slaves, modulus),
+                                                   softest(masters, modulus)),
+                                          communicator);
+    margin          = 0.5 * largest_slave_diameter;
+    const PairingTolerances tolerances{parameters.search_distance > 0.
+                                         ? parameters.search_distance
+                                         : 4. * largest_slave_diameter,
+                                       parameters.projection_tolerance,
+                                       parameters.facet_overlap,
+                                       parameters.end_overlap};
+    patch = std::make_unique<MasterPatch<dim>>(owned_masters,
+                                               displacement_shape,
+                                               tolerances,
+                                               communicator);
+
+    excluded = excluded_slave_nodes(slave_faces,
+                                    excluded_boundary,
+                                    parameters.excluded_points,
+                                    path_of(name) + "/Excluded points",
+                                    mapping,
+                                    dof_handler,
+                                    communicator);
+    const Quadrature<dim - 1> quadrature =
+      contact_quadrature<dim - 1>(parameters.quadrature,
+                                  parameters.quadrature_order,
+                                  multiplier_shape.degree(),
+                                  path_of(name));
+    check_multipliers_are_determined(quadrature,
+                                     multiplier_shape.degree(),
+                                     path_of(name));
+    table =
+      SlaveShapeTable<dim>(displacement_shape, multiplier_shape, quadrature);
+    points = make_contact_points(quadrature,
+                                 displacement_shape,
+                                 multiplier_shape,
+                                 table,
+                                 slave_faces,
+                                 slaves,
+                                 excluded);
+    positions.resize(slave_faces.size());
+    old_positions.resize(slave_faces.size());
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  ContactPair<dim>::n_multiplier_components() const
+  {
+    return parameters.has_friction() ? dim : 1;
+  }
+
+
+
+  template <int dim>
+  std::vector<types::global_dof_index>
+  ContactPair<dim>::multiplier_keys() const
+  {
+    std::vector<types::global_dof_index> keys;
+    for (const auto &slave : slave_faces)
+      for (unsigned int l = 0; l < multiplier_shape.n_nodes(); ++l)
+        keys.push_back(
+          slave.face.dofs[dim * displacement_node(
+                                  displacement_shape, multiplier_shape, l)]);
+    return keys;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::set_multiplier_dofs(const MultiplierNumbering &numbering,
+                                        const unsigned int         pair_index)
+  {
+    const auto         keys   = multiplier_keys();
+    const unsigned int n      = multiplier_shape.n_nodes();
+    const unsigned int n_comp = n_multiplier_components();
+    for (unsigned int f = 0; f < slave_faces.size(); ++f)
+      for (unsigned int j = 0; j < n; ++j)
+        {
+          const auto first = numbering.first_dof(pair_index, keys[f * n + j]);
+          for (unsigned int c = 0; c < n_comp; ++c)
+            slave_faces[f].multiplier_dofs.push_back(first + c);
+        }
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactPair<dim>::update_patch(const LA::Vector &u, const bool force)
+  {
+    const auto read_all = [&u](const auto &faces, auto &all_positions) {
+      all_positions.resize(faces.size());
+      for (unsigned int f = 0; f < faces.size(); ++f)
+        read_positions(faces[f], faces[f].n_nodes, u, all_positions[f]);
+    };
+    std::vector<SurfaceFace<dim>> slaves;
+    for (const auto &slave : slave_faces)
+      slaves.push_back(slave.face);
+    std::vector<std::vector<Tensor<1, dim>>> slave_now, master_now;
+    read_all(slaves, slave_now);
+    read_all(patch->owned_faces(), master_now);
+
+    double     motion  = force ? 2. * margin : 0.;
+    const auto compare = [&motion](const auto &now, const auto &before) {
+      for (unsigned int f = 0; f < before.size(); ++f)
+        for (unsigned int j = 0; j < before[f].size(); ++j)
+          motion = std::max(motion, (now[f][j] - before[f][j]).norm());
+    };
+    compare(slave_now, positions_at_fetch);
+    compare(master_now, master_positions_at_fetch);
+    if (Utilities::MPI::max(motion, communicator) <= 0.5 * margin)
+      return false;
+
+    std::vector<BoundingBox<dim>> boxes;
+    for (const auto &face_nodes : slave_now)
+      {
+        const std::vector<Point<dim>> corners(face_nodes.begin(),
+                                              face_nodes.end());
+        boxes.emplace_back(corners);
+      }
+    patch->fetch(boxes, u, margin);
+    for (auto &point : points)
+      {
+        patch->relocate(point.frame);
+        patch->relocate(point.accepted_frame);
+      }
+    positions_at_fetch        = slave_now;
+    master_positions_at_fetch = master_now;
+    return true;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::update_gap_offsets(const double time)
+  {
+    std::ostringstream error;
+    for (auto &point : points)
+      {
+        point.gap_offset =
+          gap_offset.value(Point<dim>(point.reference_position), time);
+        if (error.str().empty() && !std::isfinite(point.gap_offset))
+          error << "'" << path_of(name) << "/Gap offset' is not a number at ("
+                << point.reference_position << "), time " << time << ".";
+      }
+    throw_collectively(error.str(), communicator);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::update_configuration(const LA::Vector &u,
+                                         const LA::Vector &u_old)
+  {
+    for (unsigned int f = 0; f < slave_faces.size(); ++f)
+      {
+        const SurfaceFace<dim> &face = slave_faces[f].face;
+        read_positions(face, face.n_nodes, u, positions[f]);
+        read_positions(face, face.n_nodes, u_old, old_positions[f]);
+      }
+    patch->update(u, u_old);
+  }
+
+
+
+  template <int dim>
+  ContactFrame<dim>
+  ContactPair<dim>::find_frame(const ContactPoint<dim> &point) const
+  {
+    const auto    &nodes = positions[point.slave_face];
+    Tensor<1, dim> outward =
+      -slave_faces[point.slave_face].face.orientation *
+      surface_normal<dim>(surface_tangents<dim>(
+        table.displacement[point.quadrature_index].gradient, nodes));
+    outward /= outward.norm();
+    const SlavePosition<dim> slave = slave_position(point);
+    ContactFrame<dim>        frame =
+      patch->find(slave.x, outward, point.frame, point.pairing_memory());
+    if (frame.paired)
+      frame.tau = tangent_basis<dim>(frame.n, slave.direction);
+    return frame;
+  }
+
+
+
+  template <int dim>
+  SlavePosition<dim>
+  ContactPair<dim>::slave_position(const ContactPoint<dim> &point) const
+  {
+    SlavePosition<dim> slave;
+    const auto        &value = table.displacement[point.quadrature_index].value;
+    const auto        &now   = positions[point.slave_face];
+    const auto        &old   = old_positions[point.slave_face];
+    for (unsigned int j = 0; j < now.size(); ++j)
+      {
+        slave.x += value[j] * now[j];
+        slave.x_old += value[j] * old[j];
+        slave.direction += point.direction_gradients[j] * now[j];
+      }
+    slave.gap_offset = point.gap_offset;
+    return slave;
+  }
+
+
+
+  template <int dim>
+  double
+  ContactPair<dim>::area_ratio(const ContactPoint<dim> &point) const
+  {
+    const auto &reference =
+      slave_faces[point.slave_face].face.reference_positions;
+    std::vector<Tensor<1, dim>> nodes(reference.begin(), reference.end());
+    const auto &gradient = table.displacement[point.quadrature_index].gradient;
+    return surface_normal<dim>(
+             surface_tangents<dim>(gradient, positions[point.slave_face]))
+             .norm() /
+           surface_normal<dim>(surface_tangents<dim>(gradient, nodes)).norm();
+  }
+
+  template class ContactPair<2>;
+  template class ContactPair<3>;
+} // namespace stickslip

@@ -1,0 +1,397 @@
+#include <stickslip/contact/pairing/master_patch.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// xi within [0,1] up to this is inside, so that shared edges leave no gap.
+    constexpr double inside_tolerance = 1e-10;
+
+    /// Distances that differ by less than this fraction of the face are equal.
+    constexpr double tie_tolerance = 1e-9;
+
+
+
+    /// The most that a facet is extended, as a fraction of the face.
+    constexpr double largest_overlap = 0.5;
+
+    /// Boxes that each rank announces: enough to follow a bent surface.
+    constexpr unsigned int n_announced_boxes = 16;
+
+
+
+    template <int dim>
+    BoundingBox<dim>
+    box_of(const std::vector<Tensor<1, dim>> &positions,
+           const unsigned int                 n,
+           const double                       relative_margin)
+    {
+      Point<dim> low(positions[0]), high(positions[0]);
+      for (unsigned int j = 1; j < n; ++j)
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            low[c]  = std::min(low[c], positions[j][c]);
+            high[c] = std::max(high[c], positions[j][c]);
+          }
+      // curved faces may bulge out of the box of their nodes
+      const double margin = relative_margin * low.distance(high);
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          low[c] -= margin;
+          high[c] += margin;
+        }
+      return BoundingBox<dim>(std::make_pair(low, high));
+    }
+
+
+
+    template <int dim>
+    BoundingBox<dim>
+    enlarged(const BoundingBox<dim> &box, const double amount)
+    {
+      auto points = box.get_boundary_points();
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          points.first[c] -= amount;
+          points.second[c] += amount;
+        }
+      return BoundingBox<dim>(points);
+    }
+
+
+
+    /// Few boxes that cover many, by splitting along the longest direction.
+    template <int dim>
+    std::vector<BoundingBox<dim>>
+    summarize(std::vector<BoundingBox<dim>> boxes, const unsigned int at_most)
+    {
+      if (boxes.size() <= 1 || at_most <= 1)
+        {
+          if (boxes.size() > 1)
+            {
+              BoundingBox<dim> all = boxes[0];
+              for (const auto &box : boxes)
+                all.merge_with(box);
+              boxes = {all};
+            }
+          return boxes;
+        }
+      Point<dim> low = boxes[0].center(), high = low;
+      for (const auto &box : boxes)
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            low[c]  = std::min(low[c], box.center()[c]);
+            high[c] = std::max(high[c], box.center()[c]);
+          }
+      unsigned int longest = 0;
+      for (unsigned int c = 1; c < dim; ++c)
+        if (high[c] - low[c] > high[longest] - low[longest])
+          longest = c;
+      const auto middle = boxes.begin() + boxes.size() / 2;
+      std::nth_element(boxes.begin(),
+                       middle,
+                       boxes.end(),
+                       [longest](const auto &a, const auto &b) {
+                         return a.center()[longest] < b.center()[longest];
+                       });
+      using Boxes  = std::vector<BoundingBox<dim>>;
+      Boxes result = summarize<dim>(Boxes(boxes.begin(), middle), at_most / 2);
+      for (const auto &box :
+           summarize<dim>(Boxes(middle, boxes.end()), at_most / 2))
+        result.push_back(box);
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  read_positions(const SurfaceFace<dim>      &face,
+                 const unsigned int           n,
+                 const LA::Vector            &u,
+                 std::vector<Tensor<1, dim>> &positions)
+  {
+    positions.resize(n);
+    for (unsigned int j = 0; j < n; ++j)
+      for (unsigned int c = 0; c < dim; ++c)
+        positions[j][c] =
+          face.reference_positions[j][c] + u(face.dofs[j * dim + c]);
+  }
+
+
+
+  template <int dim>
+  MasterPatch<dim>::MasterPatch(std::vector<SurfaceFace<dim>> owned_faces,
+                                const FaceShape<dim>         &shape,
+                                const PairingTolerances      &tolerances,
+                                const MPI_Comm               &communicator)
+    : owned(std::move(owned_faces))
+    , shape(shape)
+    , tolerances(tolerances)
+    , communicator(communicator)
+  {}
+
+
+
+  template <int dim>
+  void
+  MasterPatch<dim>::fetch(const std::vector<BoundingBox<dim>> &slave_boxes,
+                          const LA::Vector                    &u,
+                          const double                         margin)
+  {
+    std::vector<BoundingBox<dim>> announced =
+      summarize(slave_boxes, n_announced_boxes);
+    for (auto &box : announced)
+      box = enlarged(box, tolerances.search_distance + margin);
+    const auto all = Utilities::MPI::all_gather(communicator, announced);
+
+    std::vector<Box>            boxes;
+    std::vector<Tensor<1, dim>> positions;
+    for (unsigned int f = 0; f < owned.size(); ++f)
+      {
+        read_positions(owned[f], owned[f].n_nodes, u, positions);
+        boxes.emplace_back(box_of(positions, owned[f].n_nodes, 0.1), f);
+      }
+    const RTree<Box> owned_tree = pack_rtree(boxes);
+
+    std::map<unsigned int, std::vector<SurfaceFace<dim>>> to_send;
+    for (unsigned int rank = 0; rank < all.size(); ++rank)
+      {
+        std::vector<unsigned int> wanted;
+        for (const auto &box : all[rank])
+          for (const auto &hit :
+               owned_tree | boost::geometry::index::adaptors::queried(
+                              boost::geometry::index::intersects(box)))
+            wanted.push_back(hit.second);
+        std::sort(wanted.begin(), wanted.end());
+        wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+        for (const unsigned int f : wanted)
+          to_send[rank].push_back(owned[f]);
+      }
+    const auto received = Utilities::MPI::some_to_some(communicator, to_send);
+    faces.clear();
+    for (const auto &from : received)
+      faces.insert(faces.end(), from.second.begin(), from.second.end());
+    std::sort(faces.begin(), faces.end(), [](const auto &a, const auto &b) {
+      return a.id < b.id;
+    });
+    current.resize(faces.size());
+    old.resize(faces.size());
+  }
+
+
+
+  template <int dim>
+  std::vector<types::global_dof_index>
+  MasterPatch<dim>::dofs() const
+  {
+    std::vector<types::global_dof_index> result;
+    for (const auto &face : faces)
+      result.insert(result.end(), face.dofs.begin(), face.dofs.end());
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  MasterPatch<dim>::index_of(const FaceId &id) const
+  {
+    const auto position = std::lower_bound(
+      faces.begin(), faces.end(), id, [](const auto &face, const FaceId &name) {
+        return face.id < name;
+      });
+    return position != faces.end() && position->id == id
+             ? position - faces.begin()
+             : faces.size();
+  }
+
+
+
+  template <int dim>
+  void
+  MasterPatch<dim>::relocate(ContactFrame<dim> &frame) const
+  {
+    if (!frame.paired)
+      return;
+    frame.face   = index_of(frame.face_id);
+    frame.paired = frame.face < faces.size();
+  }
+
+
+
+  template <int dim>
+  void
+  MasterPatch<dim>::update(const LA::Vector &u, const LA::Vector &u_old)
+  {
+    std::vector<Box> boxes;
+    for (unsigned int f = 0; f < faces.size(); ++f)
+      {
+        read_positions(faces[f],
+                       faces[f].n_stencil_nodes(),
+                       u,
+                       current[f].positions);
+        update_nodal_normals(faces[f], current[f]);
+        read_positions(faces[f], faces[f].n_nodes, u_old, old[f].positions);
+        boxes.emplace_back(box_of(current[f].positions, faces[f].n_nodes, 0.1),
+                           f);
+      }
+    tree = pack_rtree(boxes);
+  }
+
+
+
+  template <int dim>
+  std::vector<std::pair<double, unsigned int>>
+  MasterPatch<dim>::candidates(const Tensor<1, dim> &x_s,
+                               const unsigned int    at_most) const
+  {
+    const Point<dim>                             x(x_s);
+    std::vector<std::pair<double, unsigned int>> result;
+    for (const auto &hit :
+         tree | boost::geometry::index::adaptors::queried(
+                  boost::geometry::index::nearest(x, at_most)))
+      {
+        const double distance = boost::geometry::distance(x, hit.first);
+        if (distance <= tolerances.search_distance)
+          result.emplace_back(distance, hit.second);
+      }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+
+
+  template <int dim>
+  ContactFrame<dim>
+  MasterPatch<dim>::nearest(
+    const Tensor<1, dim>                               &x_s,
+    const Tensor<1, dim>                               &slave_normal,
+    const std::vector<std::pair<double, unsigned int>> &candidates,
+    const PairingMemory                                &memory,
+    const bool                                          on_edges,
+    double                                             &distance) const
+  {
+    ContactFrame<dim> best;
+    MasterPoint<dim>  point;
+    distance = std::numeric_limits<double>::max();
+    for (const auto &[box_distance, f] : candidates)
+      {
+        const double tie = tie_tolerance * faces[f].diameter;
+        if (box_distance > distance + tie)
+          break;
+        const auto projection =
+          on_edges
+            ? project_on_boundary_of_face(faces[f], current[f], shape, x_s)
+            : project_on_face(
+                faces[f], current[f], shape, x_s, inside_tolerance);
+        // Over a convex edge the overshoot shrinks with the gap; beyond the end
+        // of the surface it does not.
+        const double allowed = (tolerances.projection_tolerance +
+                                (memory.clings ? tolerances.end_overlap : 0.)) *
+                                 faces[f].diameter +
+                               0.8 * projection.distance;
+        if (!projection.found ||
+            projection.distance > tolerances.search_distance ||
+            projection.overshoot > allowed)
+          continue;
+        const bool is_nearer = projection.distance < distance - tie;
+        const bool is_tie = !is_nearer && projection.distance < distance + tie;
+        if (!(is_nearer || (is_tie && f < best.face)))
+          continue;
+        evaluate_master_point(
+          faces[f], current[f], shape, projection.xi, point);
+        // a facet that looks away is the far side of a thin body
+        if (point.n * slave_normal <= 0.1)
+          continue;
+        distance     = std::min(distance, projection.distance);
+        best.paired  = true;
+        best.face    = f;
+        best.face_id = faces[f].id;
+        best.xi      = projection.xi;
+        best.free    = projection.free;
+        best.n       = point.n;
+      }
+    return best;
+  }
+
+
+
+  template <int dim>
+  ContactFrame<dim>
+  MasterPatch<dim>::find(const Tensor<1, dim>    &x_s,
+                         const Tensor<1, dim>    &slave_normal,
+                         const ContactFrame<dim> &hint,
+                         const PairingMemory     &memory) const
+  {
+    if (faces.empty())
+      return ContactFrame<dim>();
+    const double overlap = memory.overlap_factor * tolerances.facet_overlap;
+    if (hint.paired && (hint.is_interior() || overlap > 0.))
+      {
+        const unsigned int f          = hint.face;
+        const auto         projection = project_on_face(faces[f],
+                                                current[f],
+                                                shape,
+                                                x_s,
+                                                std::clamp(overlap,
+                                                           inside_tolerance,
+                                                           largest_overlap));
+        // far away another face may be the nearer one, but not for ever
+        const double farthest = (overlap > 0. ? 1. : 0.25) * faces[f].diameter;
+        if (projection.found && projection.distance < farthest)
+          {
+            MasterPoint<dim> point;
+            evaluate_master_point(
+              faces[f], current[f], shape, projection.xi, point);
+            ContactFrame<dim> frame = hint;
+            frame.free.fill(true);
+            frame.xi = projection.xi;
+            frame.n  = point.n;
+            if (frame.n * slave_normal > 0.1)
+              return frame;
+          }
+      }
+    // The nearest few faces nearly always hold the answer; bent surfaces with
+    // large boxes need all within the search distance.
+    const unsigned int n_near = dim == 2 ? 6 : 16;
+    auto               near   = candidates(x_s, n_near);
+    double             distance, edge_distance;
+    ContactFrame<dim>  frame =
+      nearest(x_s, slave_normal, near, memory, false, distance);
+    if (frame.paired && distance < 0.25 * faces[frame.face].diameter)
+      return frame;
+    if (!frame.paired && near.size() == n_near)
+      {
+        near  = candidates(x_s, faces.size());
+        frame = nearest(x_s, slave_normal, near, memory, false, distance);
+      }
+    // The point may hang over a convex edge close by although it projects on
+    // some face far away.
+    const ContactFrame<dim> edge =
+      nearest(x_s, slave_normal, near, memory, true, edge_distance);
+    return edge.paired && edge_distance < 0.5 * distance ? edge : frame;
+  }
+
+  template void
+  read_positions(const SurfaceFace<2> &,
+                 const unsigned int,
+                 const LA::Vector &,
+                 std::vector<Tensor<1, 2>> &);
+  template void
+  read_positions(const SurfaceFace<3> &,
+                 const unsigned int,
+                 const LA::Vector &,
+                 std::vector<Tensor<1, 3>> &);
+  template class MasterPatch<2>;
+  template class MasterPatch<3>;
+} // namespace stickslip

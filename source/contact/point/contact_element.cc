@@ -1,0 +1,226 @@
+#include <stickslip/contact/point/contact_element.h>
+
+#include <utility>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// How a local unknown enters the generalized coordinates.
+    using Column = std::vector<std::pair<unsigned int, double>>;
+
+
+
+    template <int dim>
+    std::vector<Column>
+    make_columns(const ContactElement<dim> &element,
+                 const MasterPoint<dim>    &master,
+                 const bool                 with_nodal_normals)
+    {
+      using G               = GeneralizedCoordinates<dim>;
+      const auto         &N = element.slave_shape;
+      const auto         &L = element.multiplier_shape;
+      std::vector<Column> columns;
+      for (unsigned int j = 0; j < N.size(); ++j)
+        for (unsigned int c = 0; c < dim; ++c)
+          if constexpr (dim == 3)
+            columns.push_back(
+              {{G::W + c, N[j]},
+               {G::E + c, element.point.direction_gradients[j]}});
+          else
+            columns.push_back({{G::W + c, N[j]}});
+      if (element.master != nullptr)
+        {
+          const SurfaceFace<dim> &face         = *element.master;
+          const unsigned int      first_master = columns.size();
+          columns.resize(first_master + face.n_stencil_nodes() * dim);
+          for (unsigned int j = 0; j < face.n_nodes; ++j)
+            for (unsigned int c = 0; c < dim; ++c)
+              {
+                Column &column = columns[first_master + j * dim + c];
+                column.emplace_back(G::W + c, -master.shape.value[j]);
+                for (unsigned int d = 0; d < dim - 1; ++d)
+                  column.emplace_back(G::C + d * dim + c,
+                                      master.shape.gradient[j][d]);
+              }
+          std::vector<Tensor<2, dim>> D_n_j;
+          if (with_nodal_normals)
+            for (unsigned int j = 0; j < face.n_nodes; ++j)
+              {
+                nodal_normal_derivatives(face,
+                                         *element.master_configuration,
+                                         j,
+                                         D_n_j);
+                for (unsigned int k = 0; k < D_n_j.size(); ++k)
+                  for (unsigned int c = 0; c < dim; ++c)
+                    for (unsigned int i = 0; i < dim; ++i)
+                      if (D_n_j[k][i][c] != 0.)
+                        columns[first_master + k * dim + c].emplace_back(
+                          G::M + i, master.shape.value[j] * D_n_j[k][i][c]);
+              }
+        }
+      const unsigned int n_comp = element.n_multiplier_components;
+      for (unsigned int l = 0; l < L.size(); ++l)
+        {
+          columns.push_back({{G::lambda, L[l]}});
+          for (unsigned int b = 0; b + 1 < n_comp; ++b)
+            {
+              Column column;
+              for (unsigned int a = 0; a < dim - 1; ++a)
+                column.emplace_back(G::Lambda + a,
+                                    L[l] *
+                                      element.point.nodal_rotations[l][a][b]);
+              columns.push_back(column);
+            }
+        }
+      return columns;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  unsigned int
+  ContactElement<dim>::n_dofs() const
+  {
+    return slave_shape.size() * dim +
+           (master != nullptr ? master->n_stencil_nodes() * dim : 0) +
+           multiplier_shape.size() * n_multiplier_components;
+  }
+
+
+
+  template <int dim>
+  Multipliers<dim>
+  interpolate_multipliers(const ContactElement<dim> &element,
+                          const std::vector<double> &nodal_values)
+  {
+    const auto        &L      = element.multiplier_shape;
+    const unsigned int n_comp = element.n_multiplier_components;
+    Multipliers<dim>   values;
+    for (unsigned int l = 0; l < L.size(); ++l)
+      {
+        values.lambda_n += L[l] * nodal_values[l * n_comp];
+        for (unsigned int b = 0; b + 1 < n_comp; ++b)
+          for (unsigned int a = 0; a < dim - 1; ++a)
+            values.Lambda[a] += L[l] * element.point.nodal_rotations[l][a][b] *
+                                nodal_values[l * n_comp + 1 + b];
+      }
+    return values;
+  }
+
+
+
+  template <int dim>
+  void
+  local_residual(const ContactElement<dim>    &element,
+                 const ContactEvaluation<dim> &state,
+                 Vector<double>               &local)
+  {
+    const auto &N        = element.slave_shape;
+    const auto &L        = element.multiplier_shape;
+    const auto &response = state.response;
+    local                = 0.;
+    for (unsigned int j = 0; j < N.size(); ++j)
+      for (unsigned int c = 0; c < dim; ++c)
+        local[j * dim + c] = element.point.weight * N[j] * response.traction[c];
+    unsigned int first = N.size() * dim;
+    if (element.master != nullptr)
+      {
+        const SurfaceFace<dim> &face = *element.master;
+        for (unsigned int j = 0; j < face.n_nodes; ++j)
+          for (unsigned int c = 0; c < dim; ++c)
+            local[first + j * dim + c] = -element.point.weight *
+                                         state.master.shape.value[j] *
+                                         response.traction[c];
+        first += face.n_stencil_nodes() * dim;
+      }
+    const unsigned int n_comp = element.n_multiplier_components;
+    for (unsigned int l = 0; l < L.size(); ++l)
+      {
+        local[first + l * n_comp] =
+          element.point.weight * L[l] * response.row_lambda;
+        for (unsigned int b = 0; b + 1 < n_comp; ++b)
+          for (unsigned int a = 0; a < dim - 1; ++a)
+            local[first + l * n_comp + 1 + b] +=
+              element.point.weight * L[l] *
+              element.point.nodal_rotations[l][a][b] * response.row_Lambda[a];
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  local_tangent(const ContactElement<dim>    &element,
+                const ContactEvaluation<dim> &state,
+                const bool                    with_nodal_normals,
+                FullMatrix<double>           &local)
+  {
+    const auto        &N        = element.slave_shape;
+    const auto        &L        = element.multiplier_shape;
+    const auto        &response = state.response;
+    const unsigned int n_comp   = element.n_multiplier_components;
+    const auto         columns =
+      make_columns(element, state.master, with_nodal_normals);
+    for (unsigned int k = 0; k < columns.size(); ++k)
+      {
+        Tensor<1, dim>     D_t;
+        Tensor<1, dim - 1> D_xi, D_row_Lambda;
+        double             D_row_lambda = 0.;
+        for (const auto &[g, coefficient] : columns[k])
+          {
+            for (unsigned int i = 0; i < dim; ++i)
+              D_t[i] += coefficient * response.D_traction[i][g];
+            D_row_lambda += coefficient * response.D_row_lambda[g];
+            for (unsigned int d = 0; d < dim - 1; ++d)
+              {
+                D_xi[d] += coefficient * state.kinematics.D_xi[d][g];
+                D_row_Lambda[d] += coefficient * response.D_row_Lambda[d][g];
+              }
+          }
+        for (unsigned int j = 0; j < N.size(); ++j)
+          for (unsigned int c = 0; c < dim; ++c)
+            local(j * dim + c, k) = element.point.weight * N[j] * D_t[c];
+        unsigned int first = N.size() * dim;
+        if (element.master != nullptr)
+          {
+            // -M_j D t, and t . D(dw) = -t . M_j,alpha D xi^alpha
+            const SurfaceFace<dim> &face         = *element.master;
+            const auto             &master_shape = state.master.shape;
+            for (unsigned int j = 0; j < face.n_nodes; ++j)
+              for (unsigned int c = 0; c < dim; ++c)
+                local(first + j * dim + c, k) =
+                  -element.point.weight *
+                  (master_shape.value[j] * D_t[c] +
+                   response.traction[c] * (master_shape.gradient[j] * D_xi));
+            first += face.n_stencil_nodes() * dim;
+          }
+        for (unsigned int l = 0; l < L.size(); ++l)
+          {
+            local(first + l * n_comp, k) =
+              element.point.weight * L[l] * D_row_lambda;
+            for (unsigned int b = 0; b + 1 < n_comp; ++b)
+              for (unsigned int a = 0; a < dim - 1; ++a)
+                local(first + l * n_comp + 1 + b, k) +=
+                  element.point.weight * L[l] *
+                  element.point.nodal_rotations[l][a][b] * D_row_Lambda[a];
+          }
+      }
+  }
+
+#define INSTANTIATE(dim)                                       \
+  template struct ContactElement<dim>;                         \
+  template Multipliers<dim> interpolate_multipliers(           \
+    const ContactElement<dim> &, const std::vector<double> &); \
+  template void local_residual(const ContactElement<dim> &,    \
+                               const ContactEvaluation<dim> &, \
+                               Vector<double> &);              \
+  template void local_tangent(const ContactElement<dim> &,     \
+                              const ContactEvaluation<dim> &,  \
+                              const bool,                      \
+                              FullMatrix<double> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace stickslip

@@ -1,0 +1,54 @@
+#include <stickslip/contact/point/tangent_stabilization.h>
+
+#include <cmath>
+
+namespace stickslip
+{
+  template <int dim>
+  void
+  assume_stick_before_first_pressure(const ContactPoint<dim> &point,
+                                     ContactEvaluation<dim>  &state)
+  {
+    const Regularization &r = point.regularization;
+    if (!state.status.closed || state.response.threshold > 0. ||
+        r.initial_stiffness == 0.)
+      return;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int c = 0; c < GeneralizedCoordinates<dim>::n; ++c)
+        state.response.D_traction[i][c] +=
+          r.initial_stiffness * state.kinematics.D_d_t[i][c];
+  }
+
+
+
+  template <int dim>
+  void
+  keep_undetermined_Lambda(const ContactElement<dim>    &element,
+                           const ContactEvaluation<dim> &state,
+                           FullMatrix<double>           &local)
+  {
+    // negligible beside the rows of nodes that are free to slip
+    constexpr double factor = 1e-9;
+    if (!state.status.stick || state.response.threshold <= 0.)
+      return;
+    const ContactPoint<dim>   &point = element.point;
+    const std::vector<double> &L     = element.multiplier_shape;
+    const unsigned int         n     = element.n_multiplier_components;
+    const unsigned int         first = local.m() - L.size() * n;
+    const double scale = factor * point.weight * state.response.threshold /
+                         point.regularization.r_t_law;
+    for (unsigned int l = 0; l < L.size(); ++l)
+      for (unsigned int c = 1; c < n; ++c)
+        local(first + l * n + c, first + l * n + c) -= scale * std::abs(L[l]);
+  }
+
+#define INSTANTIATE(dim)                                                      \
+  template void assume_stick_before_first_pressure(const ContactPoint<dim> &, \
+                                                   ContactEvaluation<dim> &); \
+  template void keep_undetermined_Lambda(const ContactElement<dim> &,         \
+                                         const ContactEvaluation<dim> &,      \
+                                         FullMatrix<double> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace stickslip

@@ -1,0 +1,156 @@
+#include <stickslip/contact/results/contact_results.h>
+
+#include <deal.II/base/array_view.h>
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace stickslip
+{
+  namespace
+  {
+    template <int dim>
+    ContactPointResult<dim>
+    point_result(ContactAssembler<dim>   &contact,
+                 const ContactPair<dim>  &pair,
+                 const ContactPoint<dim> &point)
+    {
+      const ContactEvaluation<dim> &state = contact.evaluate(pair, point);
+      ContactPointResult<dim>       result;
+      result.reference_position = Point<dim>(point.reference_position);
+      result.position           = Point<dim>(pair.slave_position(point).x);
+      result.reference_weight   = point.weight;
+      result.area_ratio         = pair.area_ratio(point);
+      result.shape_values =
+        pair.table.displacement[point.quadrature_index].value;
+      result.accumulated_slip = point.accumulated_slip;
+      result.state            = observe(point, state).state;
+      result.gap              = point.frame.paired ? -state.kinematics.d_n : 0.;
+      result.normal           = -1. * state.kinematics.n;
+      result.pressure         = 0.;
+      if (state.status.closed)
+        {
+          // the traction on the slave is minus t
+          result.pressure = state.response.traction * state.kinematics.n;
+          result.tangential_traction = -1. * state.response.traction +
+                                       result.pressure * state.kinematics.n;
+          result.slip = state.kinematics.d_t;
+        }
+      return result;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<ContactFaceResult<dim>>
+  contact_results(ContactAssembler<dim> &contact)
+  {
+    std::vector<ContactFaceResult<dim>> results;
+    const auto                         &pairs = contact.contact_pairs();
+    for (unsigned int p = 0; p < pairs.size(); ++p)
+      {
+        const ContactPair<dim> &pair  = *pairs[p];
+        const std::size_t       first = results.size();
+        for (unsigned int f = 0; f < pair.slave_faces.size(); ++f)
+          {
+            ContactFaceResult<dim> face;
+            face.pair                = p;
+            face.nodes_per_direction = pair.displacement_shape.degree() + 1;
+            face.reference_positions =
+              pair.slave_faces[f].face.reference_positions;
+            const auto &positions = pair.slave_positions(f);
+            for (unsigned int j = 0; j < positions.size(); ++j)
+              {
+                face.displacements.push_back(
+                  positions[j] - Tensor<1, dim>(face.reference_positions[j]));
+                face.lambda_n.push_back(contact.lambda_n_at_node(pair, f, j));
+              }
+            face.Lambda.resize(positions.size());
+            results.push_back(face);
+          }
+        // Lambda as a vector is known where there is a frame: at the points
+        std::vector<std::vector<double>> weights(pair.slave_faces.size());
+        for (const auto &point : pair.points)
+          {
+            ContactFaceResult<dim> &face = results[first + point.slave_face];
+            face.points.push_back(point_result(contact, pair, point));
+            const auto                   &N = face.points.back().shape_values;
+            const ContactEvaluation<dim> &state = contact.evaluate(pair, point);
+            const Tensor<1, dim>          Lambda =
+              tangential_vector<dim>(state.multipliers.Lambda,
+                                     state.kinematics.tau);
+            auto &sums = weights[point.slave_face];
+            sums.resize(N.size(), 0.);
+            for (unsigned int j = 0; j < N.size(); ++j)
+              if (N[j] > 0.)
+                {
+                  face.Lambda[j] += N[j] * point.weight * Lambda;
+                  sums[j] += N[j] * point.weight;
+                }
+          }
+        for (unsigned int f = 0; f < weights.size(); ++f)
+          for (unsigned int j = 0; j < weights[f].size(); ++j)
+            if (weights[f][j] > 0.)
+              results[first + f].Lambda[j] /= weights[f][j];
+      }
+    return results;
+  }
+
+
+
+  template <int dim>
+  std::string
+  describe_contact(ContactAssembler<dim> &contact)
+  {
+    std::ostringstream text;
+    const auto        &communicator = contact.get_communicator();
+    for (const auto &pair : contact.contact_pairs())
+      {
+        std::array<unsigned int, 4> counts{};
+        double                      worst = -1.;
+        Tensor<1, dim>              where;
+        for (const auto &point : pair->points)
+          {
+            const auto result = point_result(contact, *pair, point);
+            ++counts[static_cast<unsigned int>(result.state)];
+            const bool is_closed = result.state == ContactState::stick ||
+                                   result.state == ContactState::slip;
+            const double error =
+              is_closed ? std::abs(result.gap) : std::max(0., -result.gap);
+            if (error > worst)
+              {
+                worst = error;
+                where = point.reference_position;
+              }
+          }
+        Utilities::MPI::sum(
+          ArrayView<const unsigned int>(counts.data(), counts.size()),
+          communicator,
+          ArrayView<unsigned int>(counts.data(), counts.size()));
+        const auto extremes = Utilities::MPI::min_max_avg(worst, communicator);
+        const auto wheres   = Utilities::MPI::all_gather(communicator, where);
+        text << "  pair '" << pair->name << "': " << counts[1]
+             << " points open, ";
+        if (pair->parameters.has_friction())
+          text << counts[2] << " stick, " << counts[3] << " slip, ";
+        else
+          text << counts[2] + counts[3] << " closed, ";
+        text << counts[0] << " unpaired; largest gap error " << extremes.max
+             << " at reference position (" << wheres[extremes.max_index]
+             << ")\n";
+      }
+    return text.str();
+  }
+
+#define INSTANTIATE(dim)                                        \
+  template std::vector<ContactFaceResult<dim>> contact_results( \
+    ContactAssembler<dim> &);                                   \
+  template std::string describe_contact(ContactAssembler<dim> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace stickslip

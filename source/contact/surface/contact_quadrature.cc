@@ -1,0 +1,115 @@
+#include <stickslip/base/user_error.h>
+
+#include <stickslip/contact/surface/contact_quadrature.h>
+
+#include <deal.II/base/polynomial.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/utilities.h>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// Closed Newton-Cotes rule: integrals of the equidistant Lagrange basis.
+    Quadrature<1>
+    newton_cotes(const unsigned int n_intervals)
+    {
+      std::vector<Point<1>> points;
+      for (unsigned int i = 0; i <= n_intervals; ++i)
+        points.emplace_back(double(i) / n_intervals);
+      const auto basis = Polynomials::generate_complete_Lagrange_basis(points);
+      const QGauss<1>     exact(n_intervals / 2 + 1);
+      std::vector<double> weights(points.size(), 0.);
+      for (unsigned int i = 0; i < points.size(); ++i)
+        for (unsigned int q = 0; q < exact.size(); ++q)
+          weights[i] += basis[i].value(exact.point(q)[0]) * exact.weight(q);
+      return Quadrature<1>(points, weights);
+    }
+
+
+
+    void
+    check_order(const bool         ok,
+                const unsigned int order,
+                const std::string &allowed,
+                const std::string &path)
+    {
+      if (!ok)
+        throw UserError("'" + path +
+                        "/Quadrature order = " + std::to_string(order) +
+                        "' is not available. Allowed: " + allowed + ".");
+    }
+  } // namespace
+
+
+
+  template <int facedim>
+  Quadrature<facedim>
+  contact_quadrature(const std::string &name,
+                     const unsigned int order,
+                     const unsigned int multiplier_degree,
+                     const std::string &path)
+  {
+    if (name == "nodal")
+      return QGaussLobatto<facedim>(multiplier_degree + 1);
+    if (name == "Gauss")
+      {
+        check_order(order >= 1 && order <= 20, order, "1 to 20", path);
+        return QGauss<facedim>(order);
+      }
+    if (name == "Simpson")
+      {
+        check_order(order >= 1 && order <= 20, order, "1 to 20", path);
+        return QIterated<facedim>(QSimpson<1>(), order);
+      }
+    if (name == "Newton-Cotes")
+      {
+        check_order((order >= 1 && order <= 7) || order == 9,
+                    order,
+                    "1 to 7 and 9 (order 8 has negative weights)",
+                    path);
+        return Quadrature<facedim>(newton_cotes(order));
+      }
+    throw UserError("'" + path + "/Quadrature = " + name +
+                    "' is unknown. Allowed: nodal, Gauss, Simpson, "
+                    "Newton-Cotes.");
+  }
+
+  template <int facedim>
+  void
+  check_multipliers_are_determined(const Quadrature<facedim> &quadrature,
+                                   const unsigned int         multiplier_degree,
+                                   const std::string         &path)
+  {
+    const auto needed = Utilities::pow(multiplier_degree + 1, facedim);
+    if (quadrature.size() >= needed)
+      return;
+    throw UserError(
+      "'" + path + "/Quadrature' and 'Quadrature order' place " +
+      std::to_string(quadrature.size()) +
+      " contact points on a slave face, but 'Multiplier space' and 'Degree' "
+      "put " +
+      std::to_string(needed) +
+      " multipliers there: that leaves some undetermined. Raise the order, or "
+      "set 'Quadrature = nodal' or 'Multiplier space = vertices'.");
+  }
+
+  template void
+  check_multipliers_are_determined(const Quadrature<1> &,
+                                   const unsigned int,
+                                   const std::string &);
+  template void
+  check_multipliers_are_determined(const Quadrature<2> &,
+                                   const unsigned int,
+                                   const std::string &);
+  template Quadrature<1>
+  contact_quadrature(const std::string &,
+                     const unsigned int,
+                     const unsigned int,
+                     const std::string &);
+  template Quadrature<2>
+  contact_quadrature(const std::string &,
+                     const unsigned int,
+                     const unsigned int,
+                     const std::string &);
+} // namespace stickslip

@@ -1,0 +1,123 @@
+#include <stickslip/contact/surface/face_shape.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <array>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// Largest degree of displacements plus one.
+    constexpr unsigned int max_nodes_1d = 7;
+  } // namespace
+
+
+
+  template <int dim>
+  FaceShape<dim>::FaceShape(const unsigned int degree)
+    : n_1d(degree + 1)
+  {
+    Assert(n_1d <= max_nodes_1d, ExcIndexRange(n_1d, 2, max_nodes_1d + 1));
+    const std::vector<Point<1>> nodes_1d = QGaussLobatto<1>(n_1d).get_points();
+    basis = Polynomials::generate_complete_Lagrange_basis(nodes_1d);
+    for (unsigned int j = 0; j < n_nodes(); ++j)
+      {
+        Point<dim - 1> node;
+        for (unsigned int d = 0, rest = j; d < dim - 1; ++d, rest /= n_1d)
+          node[d] = nodes_1d[rest % n_1d][0];
+        nodes.push_back(node);
+      }
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  FaceShape<dim>::degree() const
+  {
+    return n_1d - 1;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  FaceShape<dim>::n_nodes() const
+  {
+    return dim == 2 ? n_1d : n_1d * n_1d;
+  }
+
+
+
+  template <int dim>
+  const Point<dim - 1> &
+  FaceShape<dim>::node(const unsigned int j) const
+  {
+    return nodes[j];
+  }
+
+
+
+  template <int dim>
+  void
+  FaceShape<dim>::evaluate_values(const Point<dim - 1> &xi,
+                                  std::vector<double>  &value) const
+  {
+    value.assign(n_nodes(), 1.);
+    for (unsigned int j = 0; j < n_nodes(); ++j)
+      for (unsigned int d = 0, rest = j; d < dim - 1; ++d, rest /= n_1d)
+        value[j] *= basis[rest % n_1d].value(xi[d]);
+  }
+
+
+
+  template <int dim>
+  void
+  FaceShape<dim>::evaluate(const Point<dim - 1> &xi,
+                           FaceShapeValues<dim> &shape) const
+  {
+    // 1D values and two derivatives of every node along every direction
+    std::array<std::array<std::array<double, 3>, dim - 1>, max_nodes_1d> p;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      if (n_1d == 2)
+        {
+          p[0][d] = {{1. - xi[d], -1., 0.}};
+          p[1][d] = {{xi[d], 1., 0.}};
+        }
+      else
+        for (unsigned int i = 0; i < n_1d; ++i)
+          basis[i].value(xi[d], 2, p[i][d].data());
+
+    shape.value.resize(n_nodes());
+    shape.gradient.resize(n_nodes());
+    shape.hessian.resize(n_nodes());
+    const auto product = [&](const unsigned int                       j,
+                             const std::array<unsigned int, dim - 1> &order) {
+      double result = 1.;
+      for (unsigned int d = 0, rest = j; d < dim - 1; ++d, rest /= n_1d)
+        result *= p[rest % n_1d][d][order[d]];
+      return result;
+    };
+    for (unsigned int j = 0; j < n_nodes(); ++j)
+      {
+        std::array<unsigned int, dim - 1> order{};
+        shape.value[j] = product(j, order);
+        for (unsigned int a = 0; a < dim - 1; ++a)
+          {
+            ++order[a];
+            shape.gradient[j][a] = product(j, order);
+            for (unsigned int b = 0; b < dim - 1; ++b)
+              {
+                ++order[b];
+                shape.hessian[j][a][b] = product(j, order);
+                --order[b];
+              }
+            --order[a];
+          }
+      }
+  }
+
+  template class FaceShape<2>;
+  template class FaceShape<3>;
+} // namespace stickslip

@@ -1,0 +1,204 @@
+#include <stickslip/contact/surface/master_geometry.h>
+
+namespace stickslip
+{
+  namespace
+  {
+    template <int dim>
+    std::array<Tensor<1, dim>, dim - 1>
+    contribution_tangents(const NormalContribution<dim>     &contribution,
+                          const std::vector<Tensor<1, dim>> &positions)
+    {
+      std::array<Tensor<1, dim>, dim - 1> a;
+      for (unsigned int i = 0; i < contribution.nodes.size(); ++i)
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          a[d] +=
+            contribution.gradients[i][d] * positions[contribution.nodes[i]];
+      return a;
+    }
+
+
+
+    /// Derivative of a_1 x a_2 when a_alpha changes by gradient[alpha] * dx.
+    template <int dim>
+    Tensor<2, dim>
+    surface_normal_derivative(const std::array<Tensor<1, dim>, dim - 1> &a,
+                              const Tensor<1, dim - 1> &gradient)
+    {
+      Tensor<2, dim> D;
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          Tensor<1, dim> e;
+          e[c] = 1.;
+          Tensor<1, dim> column;
+          if constexpr (dim == 2)
+            column = surface_normal<dim>({{gradient[0] * e}});
+          else
+            column = cross_product_3d(gradient[0] * e, a[1]) +
+                     cross_product_3d(a[0], gradient[1] * e);
+          for (unsigned int i = 0; i < dim; ++i)
+            D[i][c] = column[i];
+        }
+      return D;
+    }
+
+
+
+    template <int dim>
+    Tensor<2, dim>
+    tangential_projector(const Tensor<1, dim> &n)
+    {
+      return Tensor<2, dim>(unit_symmetric_tensor<dim>()) - outer_product(n, n);
+    }
+
+
+
+    template <int dim>
+    void
+    update_dual_tangents(MasterPoint<dim> &point)
+    {
+      Tensor<2, dim - 1> metric;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        for (unsigned int e = 0; e < dim - 1; ++e)
+          metric[d][e] = point.a[d] * point.a[e];
+      const Tensor<2, dim - 1> inverse = invert(metric);
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        {
+          point.a_dual[d] = Tensor<1, dim>();
+          for (unsigned int e = 0; e < dim - 1; ++e)
+            point.a_dual[d] += inverse[d][e] * point.a[e];
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  update_nodal_normals(const SurfaceFace<dim>   &face,
+                       MasterConfiguration<dim> &configuration)
+  {
+    configuration.nodal_normals.assign(face.nodal_normals.size(),
+                                       Tensor<1, dim>());
+    for (unsigned int j = 0; j < face.nodal_normals.size(); ++j)
+      {
+        Tensor<1, dim> &n = configuration.nodal_normals[j];
+        for (const auto &contribution : face.nodal_normals[j])
+          {
+            const Tensor<1, dim> v =
+              contribution.orientation *
+              surface_normal<dim>(
+                contribution_tangents(contribution, configuration.positions));
+            n += v / v.norm();
+          }
+        n /= n.norm();
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  nodal_normal_derivatives(const SurfaceFace<dim>         &face,
+                           const MasterConfiguration<dim> &configuration,
+                           const unsigned int              j,
+                           std::vector<Tensor<2, dim>>    &derivative)
+  {
+    derivative.assign(face.n_stencil_nodes(), Tensor<2, dim>());
+    Tensor<1, dim> sum;
+    for (const auto &contribution : face.nodal_normals[j])
+      {
+        const auto a =
+          contribution_tangents(contribution, configuration.positions);
+        const Tensor<1, dim> v =
+          contribution.orientation * surface_normal<dim>(a);
+        const double         length = v.norm();
+        const Tensor<2, dim> P      = tangential_projector<dim>(v / length);
+        sum += v / length;
+        for (unsigned int i = 0; i < contribution.nodes.size(); ++i)
+          derivative[contribution.nodes[i]] +=
+            (contribution.orientation / length) * P *
+            surface_normal_derivative(a, contribution.gradients[i]);
+      }
+    const double         length = sum.norm();
+    const Tensor<2, dim> P      = tangential_projector<dim>(sum / length);
+    for (Tensor<2, dim> &D : derivative)
+      D = P * D / length;
+  }
+
+
+
+  template <int dim>
+  void
+  evaluate_master_point(const SurfaceFace<dim>         &face,
+                        const MasterConfiguration<dim> &configuration,
+                        const FaceShape<dim>           &shape,
+                        const Point<dim - 1>           &xi,
+                        MasterPoint<dim>               &point)
+  {
+    shape.evaluate(xi, point.shape);
+    point.x = Tensor<1, dim>();
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      {
+        point.a[d] = Tensor<1, dim>();
+        for (unsigned int e = 0; e < dim - 1; ++e)
+          point.x_ab[d][e] = Tensor<1, dim>();
+      }
+    for (unsigned int j = 0; j < face.n_nodes; ++j)
+      {
+        const Tensor<1, dim> &x = configuration.positions[j];
+        point.x += point.shape.value[j] * x;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          {
+            point.a[d] += point.shape.gradient[j][d] * x;
+            for (unsigned int e = 0; e < dim - 1; ++e)
+              point.x_ab[d][e] += point.shape.hessian[j][d][e] * x;
+          }
+      }
+    update_dual_tangents(point);
+
+    if (configuration.nodal_normals.empty())
+      {
+        const Tensor<1, dim> v =
+          face.orientation * surface_normal<dim>(point.a);
+        point.n = v / v.norm();
+        for (unsigned int e = 0; e < dim - 1; ++e)
+          {
+            point.n_a[e] = Tensor<1, dim>();
+            for (unsigned int d = 0; d < dim - 1; ++d)
+              point.n_a[e] -= point.a_dual[d] * (point.n * point.x_ab[d][e]);
+          }
+        return;
+      }
+
+    Tensor<1, dim>                      m;
+    std::array<Tensor<1, dim>, dim - 1> m_a;
+    for (unsigned int j = 0; j < face.n_nodes; ++j)
+      {
+        m += point.shape.value[j] * configuration.nodal_normals[j];
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          m_a[d] += point.shape.gradient[j][d] * configuration.nodal_normals[j];
+      }
+    point.averaged_normal_length = m.norm();
+    point.n                      = m / point.averaged_normal_length;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      point.n_a[d] =
+        (m_a[d] - point.n * (point.n * m_a[d])) / point.averaged_normal_length;
+  }
+
+#define INSTANTIATE(dim)                                                   \
+  template void update_nodal_normals(const SurfaceFace<dim> &,             \
+                                     MasterConfiguration<dim> &);          \
+  template void nodal_normal_derivatives(const SurfaceFace<dim> &,         \
+                                         const MasterConfiguration<dim> &, \
+                                         const unsigned int,               \
+                                         std::vector<Tensor<2, dim>> &);   \
+  template void evaluate_master_point(const SurfaceFace<dim> &,            \
+                                      const MasterConfiguration<dim> &,    \
+                                      const FaceShape<dim> &,              \
+                                      const Point<dim - 1> &,              \
+                                      MasterPoint<dim> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace stickslip

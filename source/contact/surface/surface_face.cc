@@ -1,0 +1,241 @@
+#include <stickslip/contact/surface/surface_face.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// Cell-local scalar support points on face @p f, lexicographic on the face.
+    template <int dim>
+    std::vector<unsigned int>
+    lexicographic_face_nodes(const std::vector<Point<dim>> &unit_points,
+                             const unsigned int             f)
+    {
+      const unsigned int        normal_direction = f / 2;
+      std::vector<unsigned int> nodes;
+      for (unsigned int i = 0; i < unit_points.size(); ++i)
+        if (std::abs(unit_points[i][normal_direction] - (f % 2)) < 1e-12)
+          nodes.push_back(i);
+      std::sort(nodes.begin(),
+                nodes.end(),
+                [&](const unsigned int i, const unsigned int j) {
+                  for (int d = dim - 1; d >= 0; --d)
+                    if (std::abs(unit_points[i][d] - unit_points[j][d]) > 1e-12)
+                      return unit_points[i][d] < unit_points[j][d];
+                  return false;
+                });
+      return nodes;
+    }
+
+
+
+    template <int dim>
+    std::array<Tensor<1, dim>, dim - 1>
+    reference_tangents(const SurfaceFace<dim>                &face,
+                       const std::vector<Tensor<1, dim - 1>> &gradients)
+    {
+      std::array<Tensor<1, dim>, dim - 1> a;
+      for (unsigned int j = 0; j < face.n_nodes; ++j)
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          a[d] += gradients[j][d] * Tensor<1, dim>(face.reference_positions[j]);
+      return a;
+    }
+
+
+
+    template <int dim>
+    double
+    face_area(const SurfaceFace<dim> &face, const FaceShape<dim> &shape)
+    {
+      const QGauss<dim - 1> quadrature(shape.degree() + 1);
+      FaceShapeValues<dim>  values;
+      double                area = 0.;
+      for (unsigned int q = 0; q < quadrature.size(); ++q)
+        {
+          shape.evaluate(quadrature.point(q), values);
+          area += quadrature.weight(q) *
+                  surface_normal<dim>(reference_tangents(face, values.gradient))
+                    .norm();
+        }
+      return area;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::vector<CollectedFace<dim>>
+  collect_faces(const Mapping<dim>                 &mapping,
+                const DoFHandler<dim>              &dof_handler,
+                const std::set<types::boundary_id> &boundary_ids,
+                const std::function<double(const types::material_id)> &modulus,
+                const bool with_ghosts)
+  {
+    const auto           &fe = dof_handler.get_fe();
+    const FaceShape<dim>  shape(fe.degree);
+    const Quadrature<dim> support(fe.base_element(0).get_unit_support_points());
+    FEValues<dim> fe_values(mapping, fe, support, update_quadrature_points);
+    std::vector<types::global_dof_index> cell_dofs(fe.n_dofs_per_cell());
+    FaceShapeValues<dim>                 centre;
+    Point<dim - 1>                       middle;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      middle[d] = 0.5;
+    shape.evaluate(middle, centre);
+
+    std::vector<CollectedFace<dim>> result;
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      {
+        if (!(cell->is_locally_owned() || (with_ghosts && cell->is_ghost())))
+          continue;
+        for (const unsigned int f : cell->face_indices())
+          {
+            if (!cell->at_boundary(f) ||
+                boundary_ids.count(cell->face(f)->boundary_id()) == 0)
+              continue;
+            fe_values.reinit(
+              typename Triangulation<dim>::active_cell_iterator(cell));
+            cell->get_dof_indices(cell_dofs);
+
+            SurfaceFace<dim> face;
+            face.id.cell = cell->id().template to_binary<dim>();
+            face.id.face = f;
+            for (const unsigned int i :
+                 lexicographic_face_nodes(support.get_points(), f))
+              {
+                face.reference_positions.push_back(
+                  fe_values.quadrature_point(i));
+                for (unsigned int c = 0; c < dim; ++c)
+                  face.dofs.push_back(
+                    cell_dofs[fe.component_to_system_index(c, i)]);
+              }
+            face.n_nodes  = face.reference_positions.size();
+            face.diameter = cell->face(f)->diameter();
+
+            Tensor<1, dim> outward;
+            for (unsigned int j = 0; j < face.n_nodes; ++j)
+              outward +=
+                centre.value[j] * Tensor<1, dim>(face.reference_positions[j]);
+            outward -= Tensor<1, dim>(cell->center());
+            const Tensor<1, dim> normal =
+              surface_normal<dim>(reference_tangents(face, centre.gradient));
+            face.orientation       = normal * outward > 0. ? -1. : 1.;
+            const double stiffness = modulus(cell->material_id());
+            face.compliance =
+              std::isinf(stiffness)
+                ? 0.
+                : cell->measure() / face_area(face, shape) / stiffness;
+            result.push_back({face, cell, f});
+          }
+      }
+    std::sort(result.begin(), result.end(), [](const auto &a, const auto &b) {
+      return a.face.id < b.face.id;
+    });
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  add_nodal_normals(std::vector<CollectedFace<dim>> &faces,
+                    const FaceShape<dim>            &shape,
+                    const double                     angle)
+  {
+    const unsigned int                n_nodes = shape.n_nodes();
+    std::vector<FaceShapeValues<dim>> at_node(n_nodes);
+    for (unsigned int j = 0; j < n_nodes; ++j)
+      shape.evaluate(shape.node(j), at_node[j]);
+
+    // who meets at a node (named by its first displacement dof)
+    std::map<types::global_dof_index,
+             std::vector<std::pair<unsigned int, unsigned int>>>
+      faces_at_node;
+    for (unsigned int f = 0; f < faces.size(); ++f)
+      for (unsigned int j = 0; j < n_nodes; ++j)
+        faces_at_node[faces[f].face.dofs[j * dim]].emplace_back(f, j);
+
+    const auto normal_at = [&](const unsigned int f, const unsigned int j) {
+      const Tensor<1, dim> v =
+        faces[f].face.orientation *
+        surface_normal<dim>(
+          reference_tangents(faces[f].face, at_node[j].gradient));
+      return v / v.norm();
+    };
+
+    std::vector<SurfaceFace<dim>> extended;
+    for (unsigned int f = 0; f < faces.size(); ++f)
+      {
+        SurfaceFace<dim> face = faces[f].face;
+        if (faces[f].cell->is_locally_owned())
+          {
+            std::map<types::global_dof_index, unsigned int> stencil;
+            for (unsigned int j = 0; j < n_nodes; ++j)
+              stencil[face.dofs[j * dim]] = j;
+            face.nodal_normals.resize(n_nodes);
+            for (unsigned int j = 0; j < n_nodes; ++j)
+              for (const auto &[g, k] : faces_at_node[face.dofs[j * dim]])
+                {
+                  if (normal_at(f, j) * normal_at(g, k) < std::cos(angle))
+                    continue;
+                  const SurfaceFace<dim> &neighbour = faces[g].face;
+                  NormalContribution<dim> contribution;
+                  contribution.orientation = neighbour.orientation;
+                  for (unsigned int l = 0; l < n_nodes; ++l)
+                    {
+                      const Tensor<1, dim - 1> &gradient =
+                        at_node[k].gradient[l];
+                      if (gradient.norm() < 1e-14)
+                        continue;
+                      const auto [entry, is_new] =
+                        stencil.emplace(neighbour.dofs[l * dim],
+                                        face.reference_positions.size());
+                      if (is_new)
+                        {
+                          face.reference_positions.push_back(
+                            neighbour.reference_positions[l]);
+                          for (unsigned int c = 0; c < dim; ++c)
+                            face.dofs.push_back(neighbour.dofs[l * dim + c]);
+                        }
+                      contribution.nodes.push_back(entry->second);
+                      contribution.gradients.push_back(gradient);
+                    }
+                  face.nodal_normals[j].push_back(contribution);
+                }
+          }
+        extended.push_back(face);
+      }
+    std::vector<CollectedFace<dim>> owned;
+    for (unsigned int f = 0; f < faces.size(); ++f)
+      if (faces[f].cell->is_locally_owned())
+        owned.push_back({extended[f], faces[f].cell, faces[f].face_no});
+    faces = owned;
+  }
+
+  template std::vector<CollectedFace<2>>
+  collect_faces(const Mapping<2> &,
+                const DoFHandler<2> &,
+                const std::set<types::boundary_id> &,
+                const std::function<double(const types::material_id)> &,
+                const bool);
+  template std::vector<CollectedFace<3>>
+  collect_faces(const Mapping<3> &,
+                const DoFHandler<3> &,
+                const std::set<types::boundary_id> &,
+                const std::function<double(const types::material_id)> &,
+                const bool);
+  template void
+  add_nodal_normals(std::vector<CollectedFace<2>> &,
+                    const FaceShape<2> &,
+                    const double);
+  template void
+  add_nodal_normals(std::vector<CollectedFace<3>> &,
+                    const FaceShape<3> &,
+                    const double);
+} // namespace stickslip

@@ -1,0 +1,238 @@
+#include <stickslip/linear_solvers/multigrid/aggregation.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// A mode that is a combination of others up to this share of its length
+    /// adds nothing. (The rotations of a small aggregate are its size beside
+    /// that of the model.)
+    constexpr double dependent = 1e-10;
+
+
+
+    template <typename Visitor>
+    void
+    visit_neighbours(const BlockMatrix<double> &matrix,
+                     const unsigned int         node,
+                     const Visitor             &visit)
+    {
+      for (auto k = matrix.column_begin(node);
+           k < matrix.column_begin(node + 1);
+           ++k)
+        if (matrix.column(k) != node)
+          visit(matrix.column(k));
+    }
+
+
+
+    bool
+    has_neighbours(const BlockMatrix<double> &matrix, const unsigned int node)
+    {
+      bool result = false;
+      visit_neighbours(matrix, node, [&](const unsigned int) {
+        result = true;
+      });
+      return result;
+    }
+
+
+
+    void
+    aggregate_free_neighbourhoods(const BlockMatrix<double> &matrix,
+                                  Aggregates                &aggregates)
+    {
+      auto &of_node = aggregates.of_node;
+      for (unsigned int node = 0; node < matrix.n_rows(); ++node)
+        {
+          bool is_free =
+            of_node[node] == Aggregates::none && has_neighbours(matrix, node);
+          visit_neighbours(matrix, node, [&](const unsigned int other) {
+            is_free = is_free && (other >= matrix.n_rows() ||
+                                  of_node[other] == Aggregates::none);
+          });
+          if (!is_free)
+            continue;
+          of_node[node] = aggregates.n;
+          visit_neighbours(matrix, node, [&](const unsigned int other) {
+            if (other < matrix.n_rows())
+              of_node[other] = aggregates.n;
+          });
+          ++aggregates.n;
+        }
+    }
+
+
+
+    void
+    join_neighbours(const BlockMatrix<double> &matrix, Aggregates &aggregates)
+    {
+      const std::vector<unsigned int> first = aggregates.of_node;
+      std::vector<unsigned int>       connections(aggregates.n, 0);
+      for (unsigned int node = 0; node < matrix.n_rows(); ++node)
+        {
+          if (first[node] != Aggregates::none)
+            continue;
+          unsigned int &best = aggregates.of_node[node];
+          visit_neighbours(matrix, node, [&](const unsigned int other) {
+            if (other < matrix.n_rows() && first[other] != Aggregates::none)
+              {
+                const unsigned int n = ++connections[first[other]];
+                if (best == Aggregates::none || n > connections[best])
+                  best = first[other];
+              }
+          });
+          visit_neighbours(matrix, node, [&](const unsigned int other) {
+            if (other < matrix.n_rows() && first[other] != Aggregates::none)
+              connections[first[other]] = 0;
+          });
+        }
+    }
+
+
+
+    void
+    aggregate_rest(const BlockMatrix<double> &matrix, Aggregates &aggregates)
+    {
+      auto &of_node = aggregates.of_node;
+      for (unsigned int node = 0; node < matrix.n_rows(); ++node)
+        {
+          if (of_node[node] != Aggregates::none ||
+              !has_neighbours(matrix, node))
+            continue;
+          of_node[node] = aggregates.n;
+          visit_neighbours(matrix, node, [&](const unsigned int other) {
+            if (other < matrix.n_rows() && of_node[other] == Aggregates::none)
+              of_node[other] = aggregates.n;
+          });
+          ++aggregates.n;
+        }
+    }
+
+
+
+    double
+    product(const std::vector<double> &a, const std::vector<double> &b)
+    {
+      double sum = 0.;
+      for (unsigned int i = 0; i < a.size(); ++i)
+        sum += a[i] * b[i];
+      return sum;
+    }
+
+
+
+    /// Gram-Schmidt, twice: orthonormal columns Q and the coefficients R of
+    /// @p columns in them, R[q][column].
+    void
+    orthonormalize(const std::vector<std::vector<double>> &columns,
+                   std::vector<std::vector<double>>       &Q,
+                   std::vector<std::vector<double>>       &R)
+    {
+      Q.clear();
+      R.clear();
+      for (unsigned int c = 0; c < columns.size(); ++c)
+        {
+          std::vector<double> rest   = columns[c];
+          const double        length = std::sqrt(product(rest, rest));
+          for (unsigned int pass = 0; pass < 2; ++pass)
+            for (unsigned int q = 0; q < Q.size(); ++q)
+              {
+                const double share = product(Q[q], rest);
+                R[q][c] += share;
+                for (unsigned int i = 0; i < rest.size(); ++i)
+                  rest[i] -= share * Q[q][i];
+              }
+          const double rest_length = std::sqrt(product(rest, rest));
+          if (rest_length <= dependent * length)
+            continue;
+          for (double &value : rest)
+            value /= rest_length;
+          Q.push_back(rest);
+          R.emplace_back(columns.size(), 0.);
+          R.back()[c] = rest_length;
+        }
+    }
+  } // namespace
+
+
+
+  Aggregates
+  find_aggregates(const BlockMatrix<double> &matrix)
+  {
+    Aggregates aggregates;
+    aggregates.of_node.assign(matrix.n_rows(), Aggregates::none);
+    aggregate_free_neighbourhoods(matrix, aggregates);
+    join_neighbours(matrix, aggregates);
+    aggregate_rest(matrix, aggregates);
+    return aggregates;
+  }
+
+
+
+  TentativeProlongation
+  tentative_prolongation(const NodeSpace  &fine,
+                         const Aggregates &aggregates,
+                         const Modes      &modes)
+  {
+    const unsigned int                     n_vectors = modes.n_vectors;
+    std::vector<std::vector<unsigned int>> nodes(aggregates.n);
+    for (unsigned int node = 0; node < fine.n_owned(); ++node)
+      if (aggregates.of_node[node] != Aggregates::none)
+        nodes[aggregates.of_node[node]].push_back(node);
+
+    TentativeProlongation            result;
+    std::vector<std::vector<double>> Q, R, columns(n_vectors);
+    std::vector<double>              basis; // by fine unknown, of each rank
+    std::vector<std::size_t>         basis_begins(fine.n_owned(), 0);
+    std::vector<unsigned int>        ranks(aggregates.n);
+    result.coarse_modes.n_vectors = n_vectors;
+    for (unsigned int a = 0; a < aggregates.n; ++a)
+      {
+        for (unsigned int v = 0; v < n_vectors; ++v)
+          {
+            columns[v].clear();
+            for (const unsigned int node : nodes[a])
+              for (unsigned int i = fine.begin(node); i < fine.begin(node + 1);
+                   ++i)
+                columns[v].push_back(modes.values[i * n_vectors + v]);
+          }
+        orthonormalize(columns, Q, R);
+        ranks[a] = Q.size();
+        for (const auto &row : R)
+          result.coarse_modes.values.insert(result.coarse_modes.values.end(),
+                                            row.begin(),
+                                            row.end());
+        unsigned int i = 0; // in the aggregate
+        for (const unsigned int node : nodes[a])
+          {
+            basis_begins[node] = basis.size();
+            for (unsigned int r = 0; r < fine.size(node); ++r, ++i)
+              for (const auto &q : Q)
+                basis.push_back(q[i]);
+          }
+      }
+
+    result.coarse = NodeSpace(ranks, fine.communicator());
+    for (unsigned int node = 0; node < fine.n_owned(); ++node)
+      {
+        const unsigned int a = aggregates.of_node[node];
+        if (a == Aggregates::none)
+          {
+            result.rows.end_row(fine.size(node));
+            continue;
+          }
+        result.rows.columns.push_back(result.coarse.global(a));
+        result.rows.widths.push_back(ranks[a]);
+        result.rows.end_row(fine.size(node));
+        result.rows.allocate();
+        std::copy_n(basis.begin() + basis_begins[node],
+                    fine.size(node) * ranks[a],
+                    result.rows.panel(node));
+      }
+    return result;
+  }
+} // namespace stickslip

@@ -1,0 +1,314 @@
+#include <stickslip/linear_solvers/multigrid/block_gauss_seidel.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// Pivots below this share of their diagonal entry are zero.
+    constexpr double zero_pivot = 1e-12;
+
+    constexpr unsigned int n_power_steps = 10;
+
+
+
+    /// Gauss-Jordan in place; without pivoting, as the blocks are definite.
+    void
+    invert(double *const a, const unsigned int n)
+    {
+      std::vector<double> diagonal(n);
+      for (unsigned int k = 0; k < n; ++k)
+        diagonal[k] = a[k * n + k];
+      for (unsigned int k = 0; k < n; ++k)
+        {
+          const double pivot = a[k * n + k];
+          if (std::abs(pivot) <= zero_pivot * std::abs(diagonal[k]))
+            {
+              for (unsigned int i = 0; i < n; ++i)
+                a[k * n + i] = a[i * n + k] = 0.;
+              continue;
+            }
+          a[k * n + k] = 1.;
+          for (unsigned int j = 0; j < n; ++j)
+            a[k * n + j] /= pivot;
+          for (unsigned int i = 0; i < n; ++i)
+            if (i != k)
+              {
+                const double factor = a[i * n + k];
+                a[i * n + k]        = 0.;
+                for (unsigned int j = 0; j < n; ++j)
+                  a[i * n + j] -= factor * a[k * n + j];
+              }
+        }
+    }
+  } // namespace
+
+
+
+  void
+  BlockGaussSeidel::set_order()
+  {
+    const NodeSpace  &space = matrix->column_space();
+    std::vector<bool> is_first(space.n_owned(), false);
+    for (const auto &[rank, nodes] : space.seen_elsewhere())
+      for (const auto node : nodes)
+        is_first[space.local(node)] = true;
+    // mostly the same ones
+    for (unsigned int row = 0; row < matrix->n_rows(); ++row)
+      for (auto k = matrix->column_begin(row);
+           k < matrix->column_begin(row + 1);
+           ++k)
+        if (matrix->column(k) >= space.n_owned())
+          is_first[row] = true;
+    order.clear();
+    for (unsigned int node = 0; node < space.n_owned(); ++node)
+      if (is_first[node])
+        order.push_back(node);
+    n_first = order.size();
+    for (unsigned int node = 0; node < space.n_owned(); ++node)
+      if (!is_first[node])
+        order.push_back(node);
+  }
+
+
+
+  void
+  BlockGaussSeidel::reinit(BlockMatrix<double> &A)
+  {
+    matrix                 = &A;
+    const NodeSpace &space = A.column_space();
+    set_order();
+    exchange.reinit(space);
+    std::vector<unsigned int> place(space.n_local());
+    for (unsigned int k = 0; k < order.size(); ++k)
+      place[order[k]] = k + 1;
+    for (unsigned int node = space.n_owned(); node < space.n_local(); ++node)
+      place[node] = exchange.is_earlier(space.rank_of(space.global(node)))
+                      ? 0
+                      : order.size() + 1;
+    A.sort_columns(place);
+    split_rows();
+  }
+
+
+
+  void
+  BlockGaussSeidel::split_rows()
+  {
+    const BlockMatrix<double> &A = *matrix;
+    const unsigned int         n = A.n_rows();
+    inverse_begins.assign(1, 0);
+    diagonals.resize(n);
+    lower_widths.resize(n);
+    lower_residual.resize(A.row_begin(n));
+    unsigned int highest = 0;
+    for (unsigned int node = 0; node < n; ++node)
+      {
+        const unsigned int size = A.height(node);
+        highest                 = std::max(highest, size);
+        inverse_begins.push_back(inverse_begins.back() + size * size);
+      }
+    inverses.assign(inverse_begins.back(), 0.);
+    for (unsigned int node = 0; node < n; ++node)
+      {
+        const unsigned int size   = A.height(node);
+        unsigned int       offset = 0;
+        std::size_t        k      = A.column_begin(node);
+        while (k < A.column_begin(node + 1) && A.column(k) != node)
+          offset += A.block_width(k++);
+        diagonals[node]    = k;
+        lower_widths[node] = offset;
+        AssertThrow(k < A.column_begin(node + 1),
+                    ExcMessage("A diagonal block is zero."));
+        double *const block = inverses.data() + inverse_begins[node];
+        for (unsigned int r = 0; r < size; ++r)
+          std::copy_n(A.panel(node) + r * A.width(node) + offset,
+                      size,
+                      block + r * size);
+        invert(block, size);
+      }
+    defect.resize(highest);
+  }
+
+
+
+  void
+  BlockGaussSeidel::scale(const unsigned int node, double *y) const
+  {
+    const double *const block = inverse(node);
+    const unsigned int  n     = matrix->height(node);
+    defect.assign(y, y + n);
+    for (unsigned int r = 0; r < n; ++r)
+      {
+        y[r] = 0.;
+        for (unsigned int c = 0; c < n; ++c)
+          y[r] += block[r * n + c] * defect[c];
+      }
+  }
+
+
+
+  void
+  BlockGaussSeidel::set_from_defect(const unsigned int   node,
+                                    std::vector<double> &x) const
+  {
+    const double      *block  = inverse(node);
+    const unsigned int n      = matrix->height(node);
+    double *const      values = x.data() + matrix->row_begin(node);
+    for (unsigned int r = 0; r < n; ++r, block += n)
+      {
+        double sum = 0.;
+        for (unsigned int c = 0; c < n; ++c)
+          sum += block[c] * defect[c];
+        values[r] = sum;
+      }
+  }
+
+
+
+  void
+  BlockGaussSeidel::subtract_lower(const unsigned int         node,
+                                   const std::vector<double> &x,
+                                   double                    *y) const
+  {
+    matrix->subtract_product(
+      node, matrix->column_begin(node), diagonals[node], 0, x, y);
+  }
+
+
+
+  void
+  BlockGaussSeidel::subtract_upper(const unsigned int         node,
+                                   const std::vector<double> &x,
+                                   double                    *y) const
+  {
+    matrix->subtract_product(node,
+                             diagonals[node] + 1,
+                             matrix->column_begin(node + 1),
+                             lower_widths[node] + matrix->height(node),
+                             x,
+                             y);
+  }
+
+
+
+  void
+  BlockGaussSeidel::sweep_forwards(std::vector<double>       &x,
+                                   const std::vector<double> &b,
+                                   const bool                 from_zero) const
+  {
+    std::copy_n(b.begin(), lower_residual.size(), lower_residual.begin());
+    const auto relax = [&](const unsigned int first, const unsigned int end) {
+      for (unsigned int k = first; k < end; ++k)
+        {
+          const unsigned int node = order[k];
+          double *const rest = lower_residual.data() + matrix->row_begin(node);
+          subtract_lower(node, x, rest);
+          std::copy_n(rest, matrix->height(node), defect.begin());
+          if (!from_zero)
+            subtract_upper(node, x, defect.data());
+          set_from_defect(node, x);
+        }
+    };
+    exchange.receive(x, OrderedExchange::Neighbours::earlier);
+    relax(0, n_first);
+    exchange.send(x, OrderedExchange::Neighbours::later);
+    relax(n_first, order.size());
+  }
+
+
+
+  void
+  BlockGaussSeidel::sweep_backwards(std::vector<double> &x) const
+  {
+    const auto relax = [&](const unsigned int first, const unsigned int end) {
+      for (unsigned int k = end; k-- > first;)
+        {
+          const unsigned int node = order[k];
+          std::copy_n(lower_residual.begin() + matrix->row_begin(node),
+                      matrix->height(node),
+                      defect.begin());
+          subtract_upper(node, x, defect.data());
+          set_from_defect(node, x);
+        }
+    };
+    relax(n_first, order.size());
+    exchange.receive(x, OrderedExchange::Neighbours::later);
+    relax(0, n_first);
+    exchange.send(x, OrderedExchange::Neighbours::earlier);
+  }
+
+
+
+  void
+  BlockGaussSeidel::solve(std::vector<double>       &x,
+                          std::vector<double>       &residual,
+                          const std::vector<double> &b) const
+  {
+    x.assign(matrix->column_space().begin(matrix->column_space().n_local()),
+             0.);
+    sweep_forwards(x, b, true);
+    sweep_backwards(x);
+    exchange.send(x, OrderedExchange::Neighbours::later);
+    exchange.receive(x, OrderedExchange::Neighbours::earlier);
+    residual.resize(lower_residual.size());
+    for (unsigned int i = 0; i < residual.size(); ++i)
+      residual[i] = b[i] - lower_residual[i];
+    for (unsigned int node = 0; node < matrix->n_rows(); ++node)
+      subtract_lower(node, x, residual.data() + matrix->row_begin(node));
+  }
+
+
+
+  void
+  BlockGaussSeidel::smooth(std::vector<double>       &x,
+                           const std::vector<double> &b) const
+  {
+    // what the forward sweep sees of the given x
+    exchange.send(x, OrderedExchange::Neighbours::earlier);
+    exchange.receive(x, OrderedExchange::Neighbours::later);
+    sweep_forwards(x, b, false);
+    sweep_backwards(x);
+  }
+
+
+
+  double
+  BlockGaussSeidel::largest_eigenvalue() const
+  {
+    const NodeSpace          &space = matrix->column_space();
+    const unsigned int        n     = space.n_owned_unknowns();
+    std::vector<double>       x(space.begin(space.n_local()), 0.), y(n);
+    const std::vector<double> zero(n, 0.);
+    // the same on any number of ranks
+    const auto first = n > 0 ? space.owned_unknowns().nth_index_in_set(0) : 0;
+    for (unsigned int i = 0; i < n; ++i)
+      x[i] = std::sin(1. + 7. * (first + i));
+    double value = 1.;
+    for (unsigned int step = 0; step < n_power_steps; ++step)
+      {
+        space.update_ghosts(x);
+        matrix->residual(y, x, zero);
+        double before = 0., after = 0.;
+        for (unsigned int node = 0; node < matrix->n_rows(); ++node)
+          scale(node, y.data() + matrix->row_begin(node));
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            before += x[i] * x[i];
+            after += y[i] * y[i];
+          }
+        before = Utilities::MPI::sum(before, space.communicator());
+        after  = Utilities::MPI::sum(after, space.communicator());
+        if (after <= 0.)
+          break;
+        value = std::sqrt(after / before);
+        for (unsigned int i = 0; i < n; ++i)
+          x[i] = y[i] / std::sqrt(after);
+      }
+    return value;
+  }
+} // namespace stickslip

@@ -1,0 +1,85 @@
+#include <stickslip/base/no_convergence.h>
+#include <stickslip/base/short_message.h>
+
+#include <stickslip/linear_solvers/multigrid/displacement_multigrid.h>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// Nodes of @p n_components consecutive unknowns.
+    NodeSpace
+    nodes_of(const IndexSet    &unknowns,
+             const unsigned int n_components,
+             const MPI_Comm    &communicator)
+    {
+      AssertThrow(unknowns.n_elements() % n_components == 0,
+                  ExcMessage("A node is on two ranks."));
+      return NodeSpace(std::vector<unsigned int>(unknowns.n_elements() /
+                                                   n_components,
+                                                 n_components),
+                       communicator);
+    }
+
+
+
+    Modes
+    modes_of(const NearNullSpace &space, const unsigned int n_unknowns)
+    {
+      Modes modes;
+      modes.n_vectors = space.n_vectors;
+      modes.values.resize(space.values.size());
+      for (unsigned int v = 0; v < space.n_vectors; ++v)
+        for (unsigned int i = 0; i < n_unknowns; ++i)
+          modes.values[i * space.n_vectors + v] =
+            space.values[v * n_unknowns + i];
+      return modes;
+    }
+  } // namespace
+
+
+
+  void
+  DisplacementMultigrid::reinit(const LA::SparseMatrix       &matrix,
+                                const LA::SparseMatrix       &added,
+                                const BlockSystemDescription &description)
+  {
+    const MPI_Comm     communicator = matrix.get_mpi_communicator();
+    const unsigned int n            = description.n_components;
+    clear();
+    try
+      {
+        const NodeSpace nodes =
+          nodes_of(matrix.locally_owned_range_indices(), n, communicator);
+        NodeSpace        linear_nodes;
+        BlockRows<float> prolongation;
+        if (description.prolongation)
+          {
+            linear_nodes =
+              nodes_of(description.prolongation->locally_owned_domain_indices(),
+                       n,
+                       communicator);
+            prolongation =
+              read_blocks<float>({description.prolongation.get()}, n, false);
+          }
+        std::vector<const LA::SparseMatrix *> parts(1, &matrix);
+        if (added.m() > 0)
+          parts.push_back(&added);
+        hierarchy.reinit(BlockMatrix<double>(
+                           read_blocks<double>(parts, n, true), nodes, nodes),
+                         std::move(prolongation),
+                         linear_nodes,
+                         modes_of(*description.near_null_space,
+                                  description.prolongation
+                                    ? linear_nodes.n_owned_unknowns()
+                                    : nodes.n_owned_unknowns()));
+      }
+    catch (const std::exception &error)
+      {
+        throw NoConvergence("Linear solver (block AMG)",
+                            "no multigrid hierarchy of this matrix: " +
+                              short_message(error),
+                            FailureCause::linear_solver);
+      }
+  }
+} // namespace stickslip

@@ -1,0 +1,204 @@
+#include <stickslip/linear_solvers/multigrid/galerkin_product.h>
+#include <stickslip/linear_solvers/multigrid/smoothed_aggregation.h>
+
+#include <algorithm>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// Unknowns (over all ranks) that are solved for directly.
+    constexpr types::global_dof_index largest_coarsest_level = 1000;
+
+    constexpr unsigned int max_levels = 10;
+
+    /// A next level with more than this share of the unknowns is not worth it.
+    constexpr double least_coarsening = 0.7;
+  } // namespace
+
+
+
+  SmoothedAggregation::SmoothedAggregation()
+    : control(1, 0.)
+  {}
+
+
+
+  void
+  SmoothedAggregation::clear()
+  {
+    levels.clear();
+    coarsest_solver.reset();
+    coarsest_matrix.clear();
+  }
+
+
+
+  types::global_dof_index
+  SmoothedAggregation::n_unknowns(const unsigned int level) const
+  {
+    return levels[level]->matrix.column_space().owned_unknowns().size();
+  }
+
+
+
+  std::size_t
+  SmoothedAggregation::memory_consumption() const
+  {
+    std::size_t bytes = 0;
+    for (const auto &level : levels)
+      bytes += level->matrix.memory_consumption() +
+               level->prolongation.memory_consumption();
+    return bytes;
+  }
+
+
+
+  void
+  SmoothedAggregation::coarsen(BlockRows<float> &&prolongation,
+                               const NodeSpace   &coarse)
+  {
+    Level      &fine  = *levels.back();
+    auto        next  = std::make_unique<Level>();
+    const auto &space = fine.matrix.column_space();
+    next->matrix =
+      BlockMatrix<double>(galerkin_product(fine.matrix, prolongation, coarse),
+                          coarse,
+                          coarse);
+    fine.prolongation =
+      BlockMatrix<float>(std::move(prolongation), space, coarse);
+    next->smoother.reinit(next->matrix);
+    levels.push_back(std::move(next));
+  }
+
+
+
+  void
+  SmoothedAggregation::reinit(BlockMatrix<double> &&matrix,
+                              BlockRows<float>    &&prolongation,
+                              const NodeSpace      &second,
+                              Modes               &&modes)
+  {
+    clear();
+    levels.push_back(std::make_unique<Level>());
+    levels[0]->matrix = std::move(matrix);
+    levels[0]->smoother.reinit(levels[0]->matrix);
+    if (prolongation.n_rows() > 0)
+      coarsen(std::move(prolongation), second);
+    while (levels.size() < max_levels &&
+           n_unknowns(levels.size() - 1) > largest_coarsest_level)
+      {
+        const Level          &fine  = *levels.back();
+        const auto           &space = fine.matrix.column_space();
+        TentativeProlongation tentative =
+          tentative_prolongation(space, find_aggregates(fine.matrix), modes);
+        if (tentative.coarse.owned_unknowns().size() >
+            least_coarsening * n_unknowns(levels.size() - 1))
+          break;
+        coarsen(smoothed_prolongation(
+                  fine.matrix, fine.smoother, tentative.rows, tentative.coarse),
+                tentative.coarse);
+        modes = std::move(tentative.coarse_modes);
+      }
+    factorise_coarsest();
+  }
+
+
+
+  void
+  SmoothedAggregation::factorise_coarsest()
+  {
+    const BlockMatrix<double>           &A     = levels.back()->matrix;
+    const NodeSpace                     &space = A.column_space();
+    const IndexSet                      &owned = space.owned_unknowns();
+    std::vector<types::global_dof_index> columns;
+    std::vector<double>                  values;
+    const auto read_columns = [&](const unsigned int row) {
+      columns.clear();
+      for (auto k = A.column_begin(row); k < A.column_begin(row + 1); ++k)
+        for (auto i = space.begin(A.column(k));
+             i < space.begin(A.column(k) + 1);
+             ++i)
+          columns.push_back(space.global_unknown(i));
+    };
+    LA::SparsityPattern pattern(owned, owned, space.communicator(), 0);
+    for (unsigned int row = 0; row < A.n_rows(); ++row)
+      {
+        read_columns(row);
+        for (unsigned int r = 0; r < A.height(row); ++r)
+          pattern.add_entries(space.global_unknown(A.row_begin(row) + r),
+                              columns.begin(),
+                              columns.end());
+      }
+    pattern.compress();
+    coarsest_matrix.reinit(pattern);
+    for (unsigned int row = 0; row < A.n_rows(); ++row)
+      {
+        read_columns(row);
+        for (unsigned int r = 0; r < A.height(row); ++r)
+          {
+            const double *const entries = A.panel(row) + r * A.width(row);
+            values.assign(entries, entries + A.width(row));
+            coarsest_matrix.set(space.global_unknown(A.row_begin(row) + r),
+                                columns,
+                                values,
+                                false);
+          }
+      }
+    coarsest_matrix.compress(VectorOperation::insert);
+    coarsest_x.reinit(owned, space.communicator());
+    coarsest_b.reinit(owned, space.communicator());
+    coarsest_solver = std::make_unique<LA::DirectSolver>(
+      control, LA::DirectSolver::AdditionalData(false, "Amesos_Klu"));
+    coarsest_solver->initialize(coarsest_matrix);
+  }
+
+
+
+  void
+  SmoothedAggregation::solve_coarsest() const
+  {
+    const Level &level = *levels.back();
+    level.x.resize(level.b.size());
+    std::copy_n(level.b.begin(),
+                coarsest_b.locally_owned_size(),
+                coarsest_b.begin());
+    coarsest_solver->solve(coarsest_x, coarsest_b);
+    std::copy(coarsest_x.begin(), coarsest_x.end(), level.x.begin());
+  }
+
+
+
+  void
+  SmoothedAggregation::cycle(const unsigned int l) const
+  {
+    if (l + 1 == levels.size())
+      {
+        solve_coarsest();
+        return;
+      }
+    const Level &level = *levels[l];
+    const Level &next  = *levels[l + 1];
+    level.smoother.solve(level.x, level.defect, level.b);
+    level.prolongation.Tvmult(level.coarse, level.defect);
+    next.b.assign(level.coarse.begin(),
+                  level.coarse.begin() +
+                    next.matrix.column_space().n_owned_unknowns());
+    cycle(l + 1);
+    std::copy_n(next.x.begin(), next.b.size(), level.coarse.begin());
+    level.prolongation.column_space().update_ghosts(level.coarse);
+    level.prolongation.vmult_add(level.x, level.coarse);
+    level.smoother.smooth(level.x, level.b);
+  }
+
+
+
+  void
+  SmoothedAggregation::vmult(LA::Vector &x, const LA::Vector &b) const
+  {
+    const Level &finest = *levels[0];
+    finest.b.assign(b.begin(), b.end());
+    cycle(0);
+    std::copy_n(finest.x.begin(), finest.b.size(), x.begin());
+  }
+} // namespace stickslip
