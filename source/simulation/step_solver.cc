@@ -89,8 +89,10 @@ namespace stickslip
       }
     catch (const NoConvergence &failure)
       {
-        const bool other_scales = cures.use_natural_scales();
-        const bool now_learning = cures.let_points_learn();
+        const bool other_scales = cures.natural_scales_differ();
+        const bool now_learning = cures.learning_would_help();
+        cures.use_natural_scales();
+        cures.let_points_learn();
         if (!other_scales && !now_learning)
           throw;
         log.note(

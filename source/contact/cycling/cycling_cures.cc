@@ -15,6 +15,9 @@ namespace stickslip
     /// Changes of r below this factor are none.
     constexpr double no_change = 1.01;
 
+    /// Changes of r above this factor are a reason to try a step again.
+    constexpr double clear_change = 2.;
+
     /// Treatments of a point in one solve before it counts as incurable.
     constexpr unsigned int most_treatments = 3;
 
@@ -112,6 +115,15 @@ namespace stickslip
         for (const auto &point : pair->points)
           now.back().push_back(point.observed.values);
       }
+  }
+
+
+
+  template <int dim>
+  bool
+  CyclingCures<dim>::scales_may_change(const ContactPair<dim> &pair) const
+  {
+    return parameters.adapt_scales && pair.parameters.quadrature == "nodal";
   }
 
 
@@ -244,42 +256,61 @@ namespace stickslip
 
   template <int dim>
   bool
+  CyclingCures<dim>::learning_would_help() const
+  {
+    bool any = false;
+    for (const auto &pair : contact.contact_pairs())
+      for (const auto &point : pair->points)
+        any = any || (!point.learns && can_learn(point, pair->parameters));
+    return Utilities::MPI::max(any ? 1 : 0, contact.get_communicator()) > 0;
+  }
+
+
+
+  template <int dim>
+  void
   CyclingCures<dim>::let_points_learn()
   {
-    bool is_new = false;
     for (const auto &pair : contact.contact_pairs())
       for (auto &point : pair->points)
-        {
-          is_new =
-            is_new || (!point.learns && can_learn(point, pair->parameters));
-          point.learns = true;
-        }
-    return Utilities::MPI::max(is_new ? 1 : 0, contact.get_communicator()) > 0;
+        point.learns = true;
   }
 
 
 
   template <int dim>
   bool
+  CyclingCures<dim>::natural_scales_differ() const
+  {
+    double largest = 0.;
+    for (const auto &pair : contact.contact_pairs())
+      if (scales_may_change(*pair))
+        for (const auto &point : pair->points)
+          {
+            const Regularization &r = point.regularization;
+            largest = std::max(largest, distance(r.natural_r_n, r.r_n_status));
+            if (pair->parameters.has_friction())
+              largest =
+                std::max(largest, distance(r.natural_r_t, r.r_t_status));
+          }
+    return Utilities::MPI::max(largest, contact.get_communicator()) >
+           std::log(clear_change);
+  }
+
+
+
+  template <int dim>
+  void
   CyclingCures<dim>::use_natural_scales()
   {
-    if (!parameters.adapt_scales)
-      return false;
-    double largest = 1.;
     for (const auto &pair : contact.contact_pairs())
-      if (pair->parameters.quadrature == "nodal")
+      if (scales_may_change(*pair))
         for (auto &point : pair->points)
           {
-            const Regularization &r        = point.regularization;
-            const double          factor_n = r.natural_r_n / r.r_n_status;
-            const double          factor_t = r.natural_r_t / r.r_t_status;
-            point.cure.r_n_factor *= factor_n;
-            point.cure.r_t_factor *= factor_t;
-            largest = std::max({largest, factor_n, 1. / factor_n});
-            if (pair->parameters.has_friction())
-              largest = std::max({largest, factor_t, 1. / factor_t});
+            const Regularization &r = point.regularization;
+            point.cure.r_n_factor *= r.natural_r_n / r.r_n_status;
+            point.cure.r_t_factor *= r.natural_r_t / r.r_t_status;
           }
-    return Utilities::MPI::max(largest, contact.get_communicator()) > 2.;
   }
 
   template class CyclingCures<2>;

@@ -82,14 +82,21 @@ namespace stickslip
     bool
     release();
 
-    /// From now on all points learn in this step (ContactPoint::learns). True
-    /// if that is new and some hop whose overlaps are not 0.
+    /// Some points hop and do not learn from it yet although their overlaps are
+    /// not 0: let_points_learn() would change their pairing.
     bool
+    learning_would_help() const;
+
+    /// From now on all points learn in this step (ContactPoint::learns).
+    void
     let_points_learn();
 
-    /// All r at the stiffness of the contact. True if that changes an r by more
-    /// than a factor of two.
+    /// use_natural_scales() would change an r by more than a factor of two.
     bool
+    natural_scales_differ() const;
+
+    /// All r at the stiffness of the contact, as the last iteration knew it.
+    void
     use_natural_scales();
 
     const StatusHistory<dim> &
@@ -111,6 +118,10 @@ namespace stickslip
 
     void
     read_states();
+
+    /// Whether another r leaves the answer of @p pair as it is, and may be used.
+    bool
+    scales_may_change(const ContactPair<dim> &pair) const;
 
     bool
     adapt_scale(const PointCycle &cycle);
