@@ -159,9 +159,9 @@ namespace stickslip
     check_named_list("Contact", contact_pairs);
     if (algorithm.name == "GCP")
       for (const auto &[name, pair] : contact_pairs)
-        if (pair.quadrature != "nodal")
-          throw UserError("'Contact/" + name +
-                          "/Quadrature' = " + pair.quadrature +
+        if (!has_one_multiplier_per_point(pair.quadrature))
+          throw UserError("'Contact/" + name + "/Quadrature' = " +
+                          name_of(pair.quadrature, all_contact_rules()) +
                           ": 'Algorithm/Name = GCP' needs 'nodal', where every "
                           "multiplier belongs to one place.");
     load_stepping.check("Load stepping");

@@ -99,14 +99,14 @@ namespace
 
   /// Number of points, sign of the weights and highest exact degree.
   void
-  print_rule(const std::string &name,
+  print_rule(const ContactRule  rule,
              const unsigned int order,
              const unsigned int multiplier_degree)
   {
     const auto line =
-      contact_quadrature<1>(name, order, multiplier_degree, "Contact/pair");
+      contact_quadrature<1>(rule, order, multiplier_degree, "Contact/pair");
     const auto square =
-      contact_quadrature<2>(name, order, multiplier_degree, "Contact/pair");
+      contact_quadrature<2>(rule, order, multiplier_degree, "Contact/pair");
     bool     is_positive = true;
     unsigned exact       = 0;
     for (unsigned int k = 0; k < 40; ++k, ++exact)
@@ -130,9 +130,9 @@ namespace
     const bool is_product = square.size() == line.size() * line.size() &&
                             std::abs(sum - 1.) < 1e-13 &&
                             std::abs(moment * exact * exact - 1.) < 1e-10;
-    print(name + " " + std::to_string(order) + ", multipliers of degree " +
-          std::to_string(multiplier_degree) + ": " +
-          std::to_string(line.size()) + " points, exact to degree " +
+    print(name_of(rule, all_contact_rules()) + " " + std::to_string(order) +
+          ", multipliers of degree " + std::to_string(multiplier_degree) +
+          ": " + std::to_string(line.size()) + " points, exact to degree " +
           std::to_string(exact - 1) + (is_positive ? "" : ", NOT POSITIVE") +
           (is_product ? "" : ", NO TENSOR PRODUCT"));
   }
@@ -143,26 +143,25 @@ namespace
   test_quadrature()
   {
     for (unsigned int degree = 1; degree <= 3; ++degree)
-      print_rule("nodal", 2, degree);
+      print_rule(ContactRule::nodal, 2, degree);
     for (const unsigned int order : {1, 2, 3, 8, 20})
-      print_rule("Gauss", order, 1);
+      print_rule(ContactRule::Gauss, order, 1);
     for (const unsigned int order : {1, 2, 20})
-      print_rule("Simpson", order, 1);
+      print_rule(ContactRule::Simpson, order, 1);
     for (const unsigned int order : {1, 2, 3, 4, 5, 6, 7, 9})
-      print_rule("Newton-Cotes", order, 2);
-    const std::vector<std::pair<std::string, unsigned int>> wrong = {
-      {"Gauss", 0},
-      {"Gauss", 21},
-      {"Simpson", 0},
-      {"Newton-Cotes", 0},
-      {"Newton-Cotes", 8},
-      {"Newton-Cotes", 10},
-      {"Lobatto", 2}};
-    for (const auto &[name, order] : wrong)
+      print_rule(ContactRule::Newton_Cotes, order, 2);
+    const std::vector<std::pair<ContactRule, unsigned int>> wrong = {
+      {ContactRule::Gauss, 0},
+      {ContactRule::Gauss, 21},
+      {ContactRule::Simpson, 0},
+      {ContactRule::Newton_Cotes, 0},
+      {ContactRule::Newton_Cotes, 8},
+      {ContactRule::Newton_Cotes, 10}};
+    for (const auto &[rule, order] : wrong)
       try
         {
-          contact_quadrature<2>(name, order, 1, "Contact/pair");
-          print(name + ": no error");
+          contact_quadrature<2>(rule, order, 1, "Contact/pair");
+          print(name_of(rule, all_contact_rules()) + ": no error");
         }
       catch (const UserError &error)
         {

@@ -104,18 +104,18 @@ namespace
     pair.slave_boundary       = {2};
     pair.master_body          = "lower";
     pair.master_boundary      = {3};
-    pair.friction             = c.friction;
+    pair.friction             = value_of(c.friction, all_frictions());
     pair.friction_coefficient = 0.4;
     pair.tresca_threshold     = 0.7;
-    pair.threshold_form       = c.threshold;
-    pair.multiplier_space     = c.space;
-    pair.quadrature           = c.quadrature;
+    pair.threshold_form       = value_of(c.threshold, all_threshold_forms());
+    pair.multiplier_space     = value_of(c.space, all_multiplier_spaces());
+    pair.quadrature           = value_of(c.quadrature, all_contact_rules());
     // as many points as multipliers, at least
     pair.quadrature_order = c.space == "displacement trace" ? c.degree + 1 : 2;
-    pair.normals          = c.normals;
+    pair.normals          = value_of(c.normals, all_normals());
     pair.gap_offset       = "0.003*x";
     auto &r               = pair.regularization;
-    r.scale               = "plain";
+    r.scale               = RegularizationScale::plain;
     r.r_n_status          = "11";
     r.r_n_augmentation    = "7";
     r.r_n_law             = "5";

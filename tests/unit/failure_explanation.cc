@@ -26,7 +26,7 @@ namespace
       pairs[0].first              = "sole";
       pairs[0].second.slave_body  = "shoe";
       pairs[0].second.master_body = "floor";
-      pairs[0].second.friction    = "Coulomb";
+      pairs[0].second.friction    = Friction::Coulomb;
       pairs[1].first              = "wall";
       pairs[1].second.slave_body  = "shoe";
       pairs[1].second.master_body = "brick";

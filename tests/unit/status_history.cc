@@ -53,9 +53,9 @@ namespace
     pair.slave_boundary       = {2};
     pair.master_body          = "lower";
     pair.master_boundary      = {3};
-    pair.friction             = "Coulomb";
+    pair.friction             = Friction::Coulomb;
     pair.friction_coefficient = 0.4;
-    pair.quadrature           = "Gauss";
+    pair.quadrature           = ContactRule::Gauss;
     pair.quadrature_order     = 2;
     return std::make_unique<ContactProblem<dim>>(
       mesh,

@@ -160,7 +160,7 @@ namespace stickslip
                                 scratch.master,
                                 old_master,
                                 pair.slave_position(point),
-                                pair.parameters.normals == "smoothed",
+                                pair.parameters.has_smoothed_normals(),
                                 live.geometry && linearize_geometry,
                                 differentiate,
                                 scratch.kinematics);
@@ -210,12 +210,13 @@ namespace stickslip
   ContactAssembler<dim>::live_threshold(const ContactPair<dim>  &pair,
                                         const ContactPoint<dim> &point)
   {
-    if (pair.parameters.friction != "Coulomb" || !point.frame.paired)
+    if (pair.parameters.friction != Friction::Coulomb || !point.frame.paired)
       return 0.;
     evaluate_kinematics(pair, point, false, false);
     // A frozen status may still be wrong, and its gap r_n times too large.
-    const bool is_exact = !live.status && pair.parameters.quadrature == "nodal";
-    const double r      = is_exact ? 0. : point.regularization.r_n_augmentation;
+    const bool is_exact =
+      !live.status && pair.parameters.is_independent_of_regularization();
+    const double r = is_exact ? 0. : point.regularization.r_n_augmentation;
     const double pressure =
       scratch.multipliers.lambda_n - r * scratch.kinematics.d_n;
     return std::max(0., -pair.parameters.friction_coefficient * pressure);
@@ -255,22 +256,11 @@ namespace stickslip
   {
     if (!pair.parameters.has_friction())
       return Threshold::none;
-    if (pair.parameters.friction == "Tresca" || !live.threshold)
+    if (pair.parameters.friction == Friction::Tresca || !live.threshold)
       return Threshold::given;
-    return pair.parameters.threshold_form == "plain" ? Threshold::plain
-                                                     : Threshold::augmented;
-  }
-
-
-
-  template <int dim>
-  double
-  ContactAssembler<dim>::given_threshold(const ContactPair<dim>  &pair,
-                                         const ContactPoint<dim> &point) const
-  {
-    return pair.parameters.friction == "Tresca"
-             ? pair.parameters.tresca_threshold
-             : point.threshold;
+    return pair.parameters.threshold_form == ThresholdForm::plain
+             ? Threshold::plain
+             : Threshold::augmented;
   }
 
 
@@ -300,7 +290,9 @@ namespace stickslip
                          scratch.status,
                          threshold_kind(pair),
                          pair.parameters.friction_coefficient,
-                         given_threshold(pair, point),
+                         pair.parameters.friction == Friction::Tresca
+                           ? pair.parameters.tresca_threshold
+                           : point.threshold,
                          point.regularization,
                          differentiate,
                          scratch.response);
@@ -386,7 +378,7 @@ namespace stickslip
           local_tangent(element,
                         scratch,
                         live.geometry && linearize_geometry &&
-                          pair->parameters.normals == "smoothed",
+                          pair->parameters.has_smoothed_normals(),
                         local_matrix);
           keep_undetermined_Lambda(element, scratch, local_matrix);
           constraints.distribute_local_to_global(

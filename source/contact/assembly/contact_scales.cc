@@ -3,7 +3,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <string>
 
 namespace stickslip
 {
@@ -46,12 +45,12 @@ namespace stickslip
     ScaleUnits
     units_of(const ContactPair<dim> &pair, const Regularization &r)
     {
-      const std::string &scale = pair.parameters.regularization.scale;
-      if (scale == "automatic")
+      const RegularizationScale scale = pair.parameters.regularization.scale;
+      if (scale == RegularizationScale::automatic)
         return {r.natural_r_n, r.natural_r_t};
-      if (scale == "plain")
+      if (scale == RegularizationScale::plain)
         return {};
-      const double mu = pair.parameters.friction == "Tresca"
+      const double mu = pair.parameters.friction == Friction::Tresca
                           ? 1.
                           : pair.parameters.friction_coefficient;
       // frictionless: r_t is not used, but it is divided by
@@ -97,7 +96,7 @@ namespace stickslip
               contact_stiffness(*pair, point) * height;
             const bool closed = contact.live_closed(*pair, point);
             double     s      = parameters.tresca_threshold;
-            if (parameters.friction == "Coulomb")
+            if (parameters.friction == Friction::Coulomb)
               s = closed ? contact.live_threshold(*pair, point) : 0.;
             if (s <= point.regularization.negligible_threshold)
               s = 0.;

@@ -123,7 +123,8 @@ namespace stickslip
   bool
   CyclingCures<dim>::scales_may_change(const ContactPair<dim> &pair) const
   {
-    return parameters.adapt_scales && pair.parameters.quadrature == "nodal";
+    return parameters.adapt_scales &&
+           pair.parameters.is_independent_of_regularization();
   }
 
 
@@ -134,7 +135,7 @@ namespace stickslip
   {
     ContactPair<dim>  &pair  = *contact.contact_pairs()[cycle.pair];
     ContactPoint<dim> &point = pair.points[cycle.point];
-    if (pair.parameters.quadrature != "nodal" || before.empty())
+    if (!pair.parameters.is_independent_of_regularization() || before.empty())
       return false;
     const auto           &a         = before[cycle.pair][cycle.point];
     const auto           &b         = now[cycle.pair][cycle.point];

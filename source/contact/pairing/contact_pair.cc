@@ -53,7 +53,7 @@ namespace stickslip
     : parameters(parameters)
     , name(name)
     , displacement_shape(dof_handler.get_fe().degree)
-    , multiplier_shape(parameters.multiplier_space == "vertices"
+    , multiplier_shape(parameters.multiplier_space == MultiplierSpace::vertices
                          ? 1
                          : dof_handler.get_fe().degree)
     , gap_offset(parameters.gap_offset, 1, path_of(name) + "/Gap offset")
@@ -71,7 +71,7 @@ namespace stickslip
       collect_faces(mapping, dof_handler, slave_boundary, modulus, true);
     auto masters =
       collect_faces(mapping, dof_handler, master_boundary, modulus, true);
-    if (parameters.normals == "smoothed")
+    if (parameters.has_smoothed_normals())
       add_nodal_normals(masters,
                         displacement_shape,
                         parameters.smoothing_angle * numbers::PI / 180.);

@@ -42,12 +42,68 @@ namespace stickslip
 
 
 
+  const Choices<Friction> &
+  all_frictions()
+  {
+    static const Choices<Friction> choices = {{"none", Friction::none},
+                                              {"Coulomb", Friction::Coulomb},
+                                              {"Tresca", Friction::Tresca}};
+    return choices;
+  }
+
+
+
+  const Choices<ThresholdForm> &
+  all_threshold_forms()
+  {
+    static const Choices<ThresholdForm> choices = {
+      {"augmented", ThresholdForm::augmented}, {"plain", ThresholdForm::plain}};
+    return choices;
+  }
+
+
+
+  const Choices<MultiplierSpace> &
+  all_multiplier_spaces()
+  {
+    static const Choices<MultiplierSpace> choices = {
+      {"displacement trace", MultiplierSpace::displacement_trace},
+      {"vertices", MultiplierSpace::vertices}};
+    return choices;
+  }
+
+
+
+  const Choices<Normals> &
+  all_normals()
+  {
+    static const Choices<Normals> choices = {{"facet", Normals::facet},
+                                             {"smoothed", Normals::smoothed}};
+    return choices;
+  }
+
+
+
+  const Choices<RegularizationScale> &
+  all_regularization_scales()
+  {
+    static const Choices<RegularizationScale> choices = {
+      {"automatic", RegularizationScale::automatic},
+      {"bound", RegularizationScale::bound},
+      {"plain", RegularizationScale::plain}};
+    return choices;
+  }
+
+
+
   void
   RegularizationParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter(
+    add_choice(
+      prm,
       "Scale",
       scale,
+      all_regularization_scales(),
       "automatic: r_n and r_t are dimensionless factors. At each contact point "
       "r_n multiplies k = 1/(h_s/M_s + h_m/M_m), with h the height of the "
       "slave "
@@ -56,8 +112,7 @@ namespace stickslip
       "r_t multiplies 10 mu M (mu = 1 for Tresca), with M the smallest modulus "
       "of the pair: the upper bounds of the paper (eq. 27) as printed, numbers "
       "that depend on the units of the case. plain: r_n is a number in "
-      "stress/length and r_t in 1/length.",
-      Patterns::Selection("automatic|bound|plain"));
+      "stress/length and r_t in 1/length.");
     prm.add_parameter(
       "r_n",
       r_n,
@@ -109,14 +164,15 @@ namespace stickslip
 
 
   RegularizationFactors
-  RegularizationParameters::factors(const std::string &quadrature) const
+  RegularizationParameters::factors(const ContactRule rule) const
   {
     // Nodal: GNM takes the fewest iterations with r_t from 1 to 2 where
     // surfaces slide, and cuts steps with 0.25 and 0.5. Other rules: smaller,
     // because the answer drifts with r.
-    const bool   drifts = scale == "automatic" && quadrature != "nodal";
-    const double n      = number_or(r_n, "automatic", drifts ? 0.01 : 1.);
-    const double t      = number_or(r_t, "automatic", drifts ? 0.25 : 1.);
+    const bool drifts = scale == RegularizationScale::automatic &&
+                        !has_one_multiplier_per_point(rule);
+    const double n = number_or(r_n, "automatic", drifts ? 0.01 : 1.);
+    const double t = number_or(r_t, "automatic", drifts ? 0.25 : 1.);
     return {number_or(r_n_status, "r_n", n),
             number_or(r_n_augmentation, "r_n", n),
             number_or(r_n_law, "r_n", n),
@@ -129,9 +185,10 @@ namespace stickslip
 
   void
   RegularizationParameters::check(const std::string &path,
-                                  const std::string &quadrature) const
+                                  const ContactRule  rule) const
   {
-    if (scale == "plain" && (r_n == "automatic" || r_t == "automatic"))
+    if (scale == RegularizationScale::plain &&
+        (r_n == "automatic" || r_t == "automatic"))
       throw UserError("'" + path +
                       "': with 'Scale = plain' both 'r_n' and 'r_t' must be "
                       "numbers.");
@@ -143,8 +200,8 @@ namespace stickslip
     check_number_or(r_t_status, "r_t", path + "/r_t status");
     check_number_or(r_t_augmentation, "r_t", path + "/r_t augmentation");
     check_number_or(r_t_law, "r_t", path + "/r_t law");
-    const RegularizationFactors given = factors(quadrature);
-    if (given.status_over_law() > 2. && quadrature != "nodal")
+    const RegularizationFactors given = factors(rule);
+    if (given.status_over_law() > 2. && !has_one_multiplier_per_point(rule))
       throw UserError(
         "'" + path + "/r_t status' = " + std::to_string(given.r_t_status) +
         " is more than twice 'r_t law' = " + std::to_string(given.r_t_law) +
@@ -171,11 +228,12 @@ namespace stickslip
                       master_boundary,
                       "Boundary ids of the master body.",
                       Patterns::List(Patterns::Integer(0)));
-    prm.add_parameter("Friction",
-                      friction,
-                      "none, Coulomb (threshold mu times the pressure) or "
-                      "Tresca (given threshold).",
-                      Patterns::Selection("none|Coulomb|Tresca"));
+    add_choice(prm,
+               "Friction",
+               friction,
+               all_frictions(),
+               "none, Coulomb (threshold mu times the pressure) or "
+               "Tresca (given threshold).");
     prm.add_parameter("Friction coefficient",
                       friction_coefficient,
                       "Coulomb's mu.",
@@ -184,35 +242,39 @@ namespace stickslip
                       tresca_threshold,
                       "Largest tangential traction [stress] for Tresca.",
                       Patterns::Double(0.));
-    prm.add_parameter(
+    add_choice(
+      prm,
       "Threshold",
       threshold_form,
+      all_threshold_forms(),
       "Friction threshold while it is live: augmented is "
       "-mu (lambda_n - r_n d_n), never negative at a closed point; plain is "
       "the "
-      "paper's -mu lambda_n. Both are the same at the solution.",
-      Patterns::Selection("augmented|plain"));
-    prm.add_parameter("Multiplier space",
-                      multiplier_space,
-                      "Multipliers on the slave faces: of the degree of the "
-                      "displacement, or linear with nodes at the vertices (the "
-                      "P2-P1 element if the displacement degree is 2).",
-                      Patterns::Selection("displacement trace|vertices"));
-    prm.add_parameter("Quadrature",
-                      quadrature,
-                      "Rule that places the contact points on a slave face.",
-                      Patterns::Selection("nodal|Gauss|Simpson|Newton-Cotes"));
+      "paper's -mu lambda_n. Both are the same at the solution.");
+    add_choice(prm,
+               "Multiplier space",
+               multiplier_space,
+               all_multiplier_spaces(),
+               "Multipliers on the slave faces: of the degree of the "
+               "displacement, or linear with nodes at the vertices (the "
+               "P2-P1 element if the displacement degree is 2).");
+    add_choice(prm,
+               "Quadrature",
+               quadrature,
+               all_contact_rules(),
+               "Rule that places the contact points on a slave face.");
     prm.add_parameter("Quadrature order",
                       quadrature_order,
                       "Gauss: points per direction. Simpson: subintervals. "
                       "Newton-Cotes: intervals. Not used by nodal.",
                       Patterns::Integer(1, 20));
-    prm.add_parameter("Normals",
-                      normals,
-                      "facet: the master facet's own normal. smoothed: "
-                      "interpolated from nodal averages, continuous across "
-                      "facets.",
-                      Patterns::Selection("facet|smoothed"));
+    add_choice(prm,
+               "Normals",
+               normals,
+               all_normals(),
+               "facet: the master facet's own normal. smoothed: "
+               "interpolated from nodal averages, continuous across "
+               "facets.");
     prm.add_parameter("Smoothing angle",
                       smoothing_angle,
                       "Facets whose reference normals differ by more than this "
@@ -282,16 +344,17 @@ namespace stickslip
     require(!slave_boundary.empty(), "Slave boundary");
     require(!master_body.empty(), "Master body");
     require(!master_boundary.empty(), "Master boundary");
-    if (friction != "Coulomb" && friction_coefficient > 0.)
+    if (friction != Friction::Coulomb && friction_coefficient > 0.)
       throw UserError("'" + path +
                       "/Friction coefficient' is given, but 'Friction = " +
-                      friction + "'. Set 'Friction = Coulomb' or remove it.");
-    if (friction == "Coulomb" && !(friction_coefficient > 0.))
+                      name_of(friction, all_frictions()) +
+                      "'. Set 'Friction = Coulomb' or remove it.");
+    if (friction == Friction::Coulomb && !(friction_coefficient > 0.))
       throw UserError("'" + path +
                       "/Friction coefficient' must be larger than 0 with "
                       "'Friction = Coulomb'. For frictionless contact set "
                       "'Friction = none'.");
-    if (friction == "Tresca" && !(tresca_threshold > 0.))
+    if (friction == Friction::Tresca && !(tresca_threshold > 0.))
       throw UserError("'" + path +
                       "/Tresca threshold' must be larger than 0 with 'Friction "
                       "= Tresca'.");

@@ -204,7 +204,8 @@ namespace stickslip
       }
     take_maxima_over_ranks(found, of_pairs, contact.get_communicator());
     for (unsigned int p = 0; p < of_pairs.size(); ++p)
-      if (contact.contact_pairs()[p]->parameters.quadrature == "nodal")
+      if (contact.contact_pairs()[p]
+            ->parameters.is_independent_of_regularization())
         {
           const PairMaxima &maxima = of_pairs[p];
           raise(found.normal_law,

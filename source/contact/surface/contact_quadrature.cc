@@ -43,36 +43,44 @@ namespace stickslip
 
 
 
+  const Choices<ContactRule> &
+  all_contact_rules()
+  {
+    static const Choices<ContactRule> choices = {
+      {"nodal", ContactRule::nodal},
+      {"Gauss", ContactRule::Gauss},
+      {"Simpson", ContactRule::Simpson},
+      {"Newton-Cotes", ContactRule::Newton_Cotes}};
+    return choices;
+  }
+
+
+
   template <int facedim>
   Quadrature<facedim>
-  contact_quadrature(const std::string &name,
+  contact_quadrature(const ContactRule  rule,
                      const unsigned int order,
                      const unsigned int multiplier_degree,
                      const std::string &path)
   {
-    if (name == "nodal")
-      return QGaussLobatto<facedim>(multiplier_degree + 1);
-    if (name == "Gauss")
+    switch (rule)
       {
-        check_order(order >= 1 && order <= 20, order, "1 to 20", path);
-        return QGauss<facedim>(order);
+        case ContactRule::nodal:
+          return QGaussLobatto<facedim>(multiplier_degree + 1);
+        case ContactRule::Gauss:
+          check_order(order >= 1 && order <= 20, order, "1 to 20", path);
+          return QGauss<facedim>(order);
+        case ContactRule::Simpson:
+          check_order(order >= 1 && order <= 20, order, "1 to 20", path);
+          return QIterated<facedim>(QSimpson<1>(), order);
+        case ContactRule::Newton_Cotes:
+          check_order((order >= 1 && order <= 7) || order == 9,
+                      order,
+                      "1 to 7 and 9 (order 8 has negative weights)",
+                      path);
+          return Quadrature<facedim>(newton_cotes(order));
       }
-    if (name == "Simpson")
-      {
-        check_order(order >= 1 && order <= 20, order, "1 to 20", path);
-        return QIterated<facedim>(QSimpson<1>(), order);
-      }
-    if (name == "Newton-Cotes")
-      {
-        check_order((order >= 1 && order <= 7) || order == 9,
-                    order,
-                    "1 to 7 and 9 (order 8 has negative weights)",
-                    path);
-        return Quadrature<facedim>(newton_cotes(order));
-      }
-    throw UserError("'" + path + "/Quadrature = " + name +
-                    "' is unknown. Allowed: nodal, Gauss, Simpson, "
-                    "Newton-Cotes.");
+    throw ExcInternalError();
   }
 
   template <int facedim>
@@ -103,12 +111,12 @@ namespace stickslip
                                    const unsigned int,
                                    const std::string &);
   template Quadrature<1>
-  contact_quadrature(const std::string &,
+  contact_quadrature(const ContactRule,
                      const unsigned int,
                      const unsigned int,
                      const std::string &);
   template Quadrature<2>
-  contact_quadrature(const std::string &,
+  contact_quadrature(const ContactRule,
                      const unsigned int,
                      const unsigned int,
                      const std::string &);

@@ -158,10 +158,6 @@ namespace stickslip
 
     Threshold
     threshold_kind(const ContactPair<dim> &pair) const;
-
-    double
-    given_threshold(const ContactPair<dim>  &pair,
-                    const ContactPoint<dim> &point) const;
   };
 } // namespace stickslip
 

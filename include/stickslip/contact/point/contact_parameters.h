@@ -1,6 +1,10 @@
 #ifndef stickslip_contact_point_contact_parameters_h
 #define stickslip_contact_point_contact_parameters_h
 
+#include <stickslip/base/choice.h>
+
+#include <stickslip/contact/surface/contact_quadrature.h>
+
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
@@ -9,6 +13,56 @@
 namespace stickslip
 {
   using namespace dealii;
+
+  enum class Friction
+  {
+    none,
+    Coulomb, ///< threshold mu times the pressure
+    Tresca   ///< given threshold
+  };
+
+  const Choices<Friction> &
+  all_frictions();
+
+  /// What Coulomb's threshold is while it is live.
+  enum class ThresholdForm
+  {
+    augmented, ///< -mu (lambda_n - r_n d_n)
+    plain      ///< -mu lambda_n
+  };
+
+  const Choices<ThresholdForm> &
+  all_threshold_forms();
+
+  enum class MultiplierSpace
+  {
+    displacement_trace, ///< of the degree of the displacement
+    vertices            ///< linear
+  };
+
+  const Choices<MultiplierSpace> &
+  all_multiplier_spaces();
+
+  /// Normals of the master surface.
+  enum class Normals
+  {
+    facet,   ///< the facet's own
+    smoothed ///< interpolated from nodal averages
+  };
+
+  const Choices<Normals> &
+  all_normals();
+
+  /// What the factors of the regularization parameters multiply.
+  enum class RegularizationScale
+  {
+    automatic, ///< stiffness of the contact
+    bound,     ///< upper bounds of the paper (eq. 27)
+    plain      ///< 1
+  };
+
+  const Choices<RegularizationScale> &
+  all_regularization_scales();
 
   /// The six regularization parameters as numbers, in units of their scale.
   struct RegularizationFactors
@@ -37,7 +91,8 @@ namespace stickslip
    */
   struct RegularizationParameters
   {
-    std::string scale            = "automatic";
+    RegularizationScale scale = RegularizationScale::automatic;
+
     std::string r_n              = "automatic";
     std::string r_t              = "automatic";
     std::string r_n_status       = "r_n";
@@ -50,12 +105,12 @@ namespace stickslip
     void
     add_parameters(ParameterHandler &prm);
 
-    /// With the meaning that `automatic` has for the rule @p quadrature.
+    /// With the meaning that `automatic` has for @p rule.
     RegularizationFactors
-    factors(const std::string &quadrature) const;
+    factors(const ContactRule rule) const;
 
     void
-    check(const std::string &path, const std::string &quadrature) const;
+    check(const std::string &path, const ContactRule rule) const;
   };
 
 
@@ -71,16 +126,16 @@ namespace stickslip
     std::string               master_body;
     std::vector<unsigned int> master_boundary;
 
-    std::string friction             = "none";
-    double      friction_coefficient = 0.;
-    double      tresca_threshold     = 0.;
-    std::string threshold_form       = "augmented";
+    Friction      friction             = Friction::none;
+    double        friction_coefficient = 0.;
+    double        tresca_threshold     = 0.;
+    ThresholdForm threshold_form       = ThresholdForm::augmented;
 
-    std::string  multiplier_space = "displacement trace";
-    std::string  quadrature       = "nodal";
-    unsigned int quadrature_order = 2;
+    MultiplierSpace multiplier_space = MultiplierSpace::displacement_trace;
+    ContactRule     quadrature       = ContactRule::nodal;
+    unsigned int    quadrature_order = 2;
 
-    std::string               normals              = "facet";
+    Normals                   normals              = Normals::facet;
     double                    smoothing_angle      = 60.;
     double                    search_distance      = 0.;
     double                    projection_tolerance = 0.05;
@@ -102,7 +157,21 @@ namespace stickslip
     bool
     has_friction() const
     {
-      return friction != "none";
+      return friction != Friction::none;
+    }
+
+    bool
+    has_smoothed_normals() const
+    {
+      return normals == Normals::smoothed;
+    }
+
+    /// True if the converged state does not depend on the regularization
+    /// parameters: they may then be anything that makes Newton converge.
+    bool
+    is_independent_of_regularization() const
+    {
+      return has_one_multiplier_per_point(quadrature);
     }
   };
 } // namespace stickslip

@@ -1,6 +1,8 @@
 #ifndef stickslip_contact_surface_contact_quadrature_h
 #define stickslip_contact_surface_contact_quadrature_h
 
+#include <stickslip/base/choice.h>
+
 #include <deal.II/base/quadrature.h>
 
 #include <string>
@@ -9,8 +11,32 @@ namespace stickslip
 {
   using namespace dealii;
 
+  /// The rules that place the contact points on a slave face.
+  enum class ContactRule
+  {
+    nodal,
+    Gauss,
+    Simpson,
+    Newton_Cotes
+  };
+
+  const Choices<ContactRule> &
+  all_contact_rules();
+
   /**
-   * The rule that places the contact points on a slave face (paper, 2.2).
+   * True if each contact point is a node of the multipliers, so that each
+   * multiplier belongs to one point: the discrete equations are then the
+   * contact law at each point, and their solution does not depend on the
+   * regularization parameters.
+   */
+  inline bool
+  has_one_multiplier_per_point(const ContactRule rule)
+  {
+    return rule == ContactRule::nodal;
+  }
+
+  /**
+   * The points and weights of @p rule on a slave face (paper, 2.2).
    *
    * - `nodal`: at the nodes of the multiplier space of degree
    *   @p multiplier_degree (trapezoid for 1, Simpson for 2, Gauss-Lobatto above);
@@ -23,7 +49,7 @@ namespace stickslip
    */
   template <int facedim>
   Quadrature<facedim>
-  contact_quadrature(const std::string &name,
+  contact_quadrature(const ContactRule  rule,
                      const unsigned int order,
                      const unsigned int multiplier_degree,
                      const std::string &path);
