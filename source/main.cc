@@ -13,7 +13,9 @@
 #include <deal.II/base/multithread_info.h>
 
 #include <cstdlib>
+#include <exception>
 #include <iostream>
+#include <string>
 
 #ifdef __GLIBC__
 #  include <malloc.h>

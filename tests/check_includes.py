@@ -5,15 +5,19 @@
     check_includes.py --self-test          shows that each rule can fail
 
 Checked: a folder includes only folders below it; solid and contact do not
-meet; base knows deal.II (with its boost) and the standard library only; no file
-of the program has more than 400 lines; every .cc has a line in source/sources.txt and
-every test a comparison file; include guards follow the file name; nothing is
-called utils, helpers, common, manager.
+meet; base knows deal.II (with its boost) and the standard library only; a .cc
+of the program includes its own header first, so that compiling
+the one shows that the other is complete; names of namespace std come with their
+headers (std_headers.py); no file of the program has more than 400 lines; every
+.cc has a line in source/sources.txt and every test a comparison file; include
+guards follow the file name; nothing is called utils, helpers, common, manager.
 """
 import pathlib
 import re
 import sys
 import tempfile
+
+from std_headers import missing_headers, unknown_names
 
 # A folder may include itself and these, with what is inside them. Arrows go one
 # way: each row lists all that is reachable, and only names of rows above it.
@@ -83,6 +87,22 @@ def check_text(path, text):
         yield f"{path}: the name does not say what the file is about"
 
 
+def check_own_header(root, path, text):
+    own = f"stickslip/{path.relative_to('source').with_suffix('.h')}"
+    if (root / "include" / own).exists() and [included for _, included in INCLUDE.findall(text)][:1] != [own]:
+        yield f"{path}: must include its own header <{own}> first"
+
+
+def check_std_headers(root, path, text):
+    own = root / "include" / "stickslip" / pathlib.Path(*path.parts[1:]).with_suffix(".h")
+    beside = [root / path.parent / name for bracket, name in INCLUDE.findall(text) if bracket == '"']
+    given = "".join(file.read_text() for file in [own, *beside] if path.suffix == ".cc" and file.exists())
+    for header, name in missing_headers(text, given).items():
+        yield f"{path}: uses std::{name} and does not include <{header}>"
+    for name in unknown_names(text):
+        yield f"{path}: std::{name} has no header in tests/std_headers.py; add it"
+
+
 def check_header(folder, path, text):
     # The list of headers to precompile is included by the compiler's command line.
     guard = f"stickslip_{folder.replace('/', '_')}_{path.stem}_h"
@@ -117,13 +137,14 @@ def check_tests(root):
 def violations(root):
     headers = sorted((root / "include" / "stickslip").rglob("*.h"))
     sources = sorted((root / "source").rglob("*.cc"))
-    tests = sorted((root / "tests").rglob("*.cc"))
+    tests = sorted((root / "tests").rglob("*.cc")) + sorted((root / "tests").rglob("*.h"))
     if not headers or not sources:
         yield f"{root}: no headers or no sources found; is this the source directory?"
     for path in headers + sources + tests:
         text = path.read_text()
         short = path.relative_to(root)
         yield from check_text(short, text)
+        yield from check_std_headers(root, short, text)
         folder = "/".join(short.parts[2 if path in headers else 1:-1])
         if path in tests or short == pathlib.Path("source/main.cc"):
             folder = None  # above everything
@@ -133,6 +154,8 @@ def violations(root):
         yield from check_arrows(folder, short, text)
         if path in headers:
             yield from check_header(folder, short, text)
+        elif folder is not None:
+            yield from check_own_header(root, short, text)
     yield from check_table()
     yield from check_layout(root, sources)
     yield from check_tests(root)
@@ -145,8 +168,9 @@ def self_test():
 
     good = {
         "include/stickslip/base/types.h": header("base", "types", "#include <deal.II/base/mpi.h>\n#include <vector>"),
-        "include/stickslip/contact/point/law.h": header("contact_point", "law", "#include <stickslip/base/types.h>"),
-        "source/contact/point/law.cc": "#include <stickslip/contact/point/law.h>\n",
+        "include/stickslip/contact/point/law.h": header("contact_point", "law", "#include <stickslip/base/types.h>\n#include <vector>"),
+        "source/contact/point/law.cc": "#include <stickslip/contact/point/law.h>\n\nstd::vector<double> v; // not std::sort, \"std::sort\"\n",
+        "include/stickslip/simulation/simulation.h": header("simulation", "simulation"),
         "include/stickslip/problem/p.h": header("problem", "p", "#include <stickslip/contact/point/law.h>"),
         "source/main.cc": "#include <stickslip/simulation/simulation.h>\n",
         "source/sources.txt": "# comment\ncontact/point/law.cc\n",
@@ -174,6 +198,11 @@ def self_test():
         "listed but absent": ("source/sources.txt", "contact/absent.cc\ncontact/point/law.cc\n", "does not exist"),
         "uncompared test": ("tests/unit/other.cc", "\n", "no comparison file"),
         "uncompared case": ("tests/application/other.prm.in", "\n", "no comparison file"),
+        "own header second": ("source/contact/point/law.cc", "#include <vector>\n#include <stickslip/contact/point/law.h>\n", "own header"),
+        "sort by luck": ("source/contact/point/law.cc", "#include <stickslip/contact/point/law.h>\nstd::sort(v);\n", "does not include <algorithm>"),
+        "header by luck": ("include/stickslip/base/types.h", header("base", "types", "std::vector<int> v;"), "does not include <vector>"),
+        "test by luck": ("tests/unit/law.cc", "std::cout << std::sqrt(2.);\n", "does not include <cmath>"),
+        "name without a header": ("tests/unit/law.cc", "std::no_such_name();\n", "has no header in tests/std_headers.py"),
         "unsorted": ("source/sources.txt", "contact/point/law.cc\ncontact/point/law.cc\n", "not sorted"),
     }
 

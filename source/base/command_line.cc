@@ -1,6 +1,7 @@
+#include <stickslip/base/command_line.h>
+
 #include <deal.II/base/config.h>
 
-#include <stickslip/base/command_line.h>
 #include <stickslip/base/nearest_name.h>
 #include <stickslip/base/user_error.h>
 

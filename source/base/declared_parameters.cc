@@ -1,7 +1,7 @@
+#include <stickslip/base/declared_parameters.h>
+
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
-
-#include <stickslip/base/declared_parameters.h>
 
 // The parser needs the names _1, _2 of Boost.Bind; without this it warns.
 #ifndef BOOST_BIND_GLOBAL_PLACEHOLDERS
@@ -11,6 +11,7 @@
 #include <boost/property_tree/ptree.hpp>
 
 #include <cctype>
+#include <exception>
 #include <set>
 #include <sstream>
 

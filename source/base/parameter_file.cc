@@ -1,6 +1,7 @@
+#include <stickslip/base/parameter_file.h>
+
 #include <stickslip/base/declared_parameters.h>
 #include <stickslip/base/nearest_name.h>
-#include <stickslip/base/parameter_file.h>
 #include <stickslip/base/parameter_setter.h>
 #include <stickslip/base/user_error.h>
 

@@ -1,12 +1,14 @@
+#include <stickslip/base/parameter_file_reader.h>
+
 #include <deal.II/base/utilities.h>
 
 #include <stickslip/base/nearest_name.h>
-#include <stickslip/base/parameter_file_reader.h>
 #include <stickslip/base/user_error.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 namespace stickslip
 {

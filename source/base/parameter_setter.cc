@@ -1,7 +1,9 @@
-#include <stickslip/base/nearest_name.h>
 #include <stickslip/base/parameter_setter.h>
 
+#include <stickslip/base/nearest_name.h>
+
 #include <algorithm>
+#include <exception>
 
 namespace stickslip
 {

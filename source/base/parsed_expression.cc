@@ -1,13 +1,16 @@
 #include <stickslip/base/parsed_expression.h>
+
 #include <stickslip/base/short_message.h>
 #include <stickslip/base/user_error.h>
 
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
+#include <exception>
 #include <iostream>
 #include <map>
 #include <sstream>
+#include <streambuf>
 
 namespace stickslip
 {

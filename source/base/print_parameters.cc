@@ -1,7 +1,8 @@
+#include <stickslip/base/print_parameters.h>
+
 #include <deal.II/base/utilities.h>
 
 #include <stickslip/base/declared_parameters.h>
-#include <stickslip/base/print_parameters.h>
 #include <stickslip/base/user_error.h>
 
 #include <cstdio>

@@ -1,8 +1,8 @@
+#include <stickslip/base/space_time_function.h>
+
 #include <stickslip/base/user_error.h>
 
 #include <stickslip/base/parsed_expression.h>
-
-#include <stickslip/base/space_time_function.h>
 
 #include <deal.II/base/utilities.h>
 

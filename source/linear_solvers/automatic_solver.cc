@@ -1,6 +1,6 @@
-#include <stickslip/base/no_convergence.h>
-
 #include <stickslip/linear_solvers/automatic_solver.h>
+
+#include <stickslip/base/no_convergence.h>
 
 #include <deal.II/base/utilities.h>
 

@@ -1,6 +1,6 @@
-#include <stickslip/base/no_convergence.h>
-
 #include <stickslip/linear_solvers/block_amg_solver.h>
+
+#include <stickslip/base/no_convergence.h>
 
 #include <deal.II/lac/solver_gmres.h>
 #include <deal.II/lac/vector_memory.h>

@@ -1,6 +1,6 @@
-#include <stickslip/base/no_convergence.h>
-
 #include <stickslip/linear_solvers/direct_solver.h>
+
+#include <stickslip/base/no_convergence.h>
 
 #include <deal.II/base/mpi.h>
 

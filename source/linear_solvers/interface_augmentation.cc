@@ -1,5 +1,8 @@
 #include <stickslip/linear_solvers/interface_augmentation.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace stickslip
 {
   namespace

@@ -1,3 +1,5 @@
+#include <stickslip/linear_solvers/linear_solver.h>
+
 #include <stickslip/base/registry.h>
 #include <stickslip/base/user_error.h>
 

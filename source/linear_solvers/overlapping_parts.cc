@@ -1,5 +1,6 @@
-#include <stickslip/linear_solvers/multigrid/block_matrix.h>
 #include <stickslip/linear_solvers/overlapping_parts.h>
+
+#include <stickslip/linear_solvers/multigrid/block_matrix.h>
 
 #include <deal.II/base/mpi.h>
 

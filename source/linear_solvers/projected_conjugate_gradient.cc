@@ -1,12 +1,13 @@
-#include <stickslip/base/no_convergence.h>
-
 #include <stickslip/linear_solvers/projected_conjugate_gradient.h>
+
+#include <stickslip/base/no_convergence.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
 
 namespace stickslip
 {

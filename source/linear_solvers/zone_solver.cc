@@ -1,8 +1,10 @@
-#include <stickslip/base/no_convergence.h>
-
 #include <stickslip/linear_solvers/zone_solver.h>
 
+#include <stickslip/base/no_convergence.h>
+
 #include <deal.II/base/mpi.h>
+
+#include <algorithm>
 
 namespace stickslip
 {

@@ -1,6 +1,7 @@
+#include <stickslip/mesh/body.h>
+
 #include <stickslip/base/nearest_name.h>
 #include <stickslip/base/user_error.h>
-#include <stickslip/mesh/body.h>
 
 #include <deal.II/base/exceptions.h>
 

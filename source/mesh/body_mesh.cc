@@ -1,6 +1,7 @@
+#include <stickslip/mesh/body_mesh.h>
+
 #include <stickslip/base/parsed_expression.h>
 #include <stickslip/base/user_error.h>
-#include <stickslip/mesh/body_mesh.h>
 #include <stickslip/mesh/condition_list.h>
 #include <stickslip/mesh/mesh_checks.h>
 #include <stickslip/mesh/mesh_generator.h>

@@ -1,5 +1,6 @@
-#include <stickslip/base/user_error.h>
 #include <stickslip/mesh/body_parameters.h>
+
+#include <stickslip/base/user_error.h>
 #include <stickslip/mesh/condition_list.h>
 
 namespace stickslip

@@ -1,6 +1,7 @@
+#include <stickslip/mesh/condition_list.h>
+
 #include <stickslip/base/parsed_expression.h>
 #include <stickslip/base/user_error.h>
-#include <stickslip/mesh/condition_list.h>
 
 #include <deal.II/base/types.h>
 #include <deal.II/base/utilities.h>

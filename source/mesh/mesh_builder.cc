@@ -1,8 +1,9 @@
+#include <stickslip/mesh/mesh_builder.h>
+
 #include <stickslip/base/short_message.h>
 #include <stickslip/base/user_error.h>
 #include <stickslip/mesh/body_mesh.h>
 #include <stickslip/mesh/joined_mesh.h>
-#include <stickslip/mesh/mesh_builder.h>
 #include <stickslip/mesh/mesh_checks.h>
 
 #include <deal.II/distributed/fully_distributed_tria.h>
@@ -10,6 +11,10 @@
 
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria_description.h>
+
+#include <map>
+#include <set>
+#include <string>
 
 namespace stickslip
 {

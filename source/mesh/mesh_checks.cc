@@ -1,10 +1,13 @@
-#include <stickslip/base/user_error.h>
 #include <stickslip/mesh/mesh_checks.h>
+
+#include <stickslip/base/user_error.h>
 
 #include <deal.II/base/geometry_info.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace stickslip

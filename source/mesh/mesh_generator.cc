@@ -1,8 +1,9 @@
+#include <stickslip/mesh/mesh_generator.h>
+
 #include <stickslip/base/nearest_name.h>
 #include <stickslip/base/short_message.h>
 #include <stickslip/base/user_error.h>
 #include <stickslip/mesh/mesh_checks.h>
-#include <stickslip/mesh/mesh_generator.h>
 #include <stickslip/mesh/mesh_shapes.h>
 #include <stickslip/mesh/subdivided_line.h>
 
@@ -12,7 +13,9 @@
 #include <deal.II/grid/grid_generator.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <exception>
 
 namespace stickslip
 {

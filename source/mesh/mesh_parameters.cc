@@ -1,5 +1,6 @@
-#include <stickslip/base/user_error.h>
 #include <stickslip/mesh/mesh_parameters.h>
+
+#include <stickslip/base/user_error.h>
 
 namespace stickslip
 {

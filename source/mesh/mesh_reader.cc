@@ -1,13 +1,16 @@
+#include <stickslip/mesh/mesh_reader.h>
+
 #include <stickslip/base/short_message.h>
 #include <stickslip/base/user_error.h>
 #include <stickslip/mesh/mesh_checks.h>
 #include <stickslip/mesh/mesh_file_checks.h>
-#include <stickslip/mesh/mesh_reader.h>
 
 #include <deal.II/grid/grid_in.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -15,6 +18,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stickslip

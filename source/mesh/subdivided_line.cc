@@ -1,9 +1,11 @@
-#include <stickslip/base/user_error.h>
 #include <stickslip/mesh/subdivided_line.h>
+
+#include <stickslip/base/user_error.h>
 
 #include <deal.II/base/utilities.h>
 
 #include <cmath>
+#include <exception>
 
 namespace stickslip
 {

@@ -3,6 +3,7 @@
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <cmath>
+#include <utility>
 
 namespace stickslip
 {

@@ -1,4 +1,5 @@
 #include <stickslip/output/contact_output.h>
+
 #include <stickslip/output/contact_points_table.h>
 
 #include <deal.II/base/data_out_base.h>
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 namespace stickslip
 {

@@ -1,6 +1,7 @@
+#include <stickslip/output/contact_points_table.h>
+
 #include <stickslip/base/user_error.h>
 
-#include <stickslip/output/contact_points_table.h>
 #include <stickslip/output/csv.h>
 #include <stickslip/output/output_directory.h>
 

@@ -1,7 +1,8 @@
+#include <stickslip/output/diagnosis_output.h>
+
 #include <stickslip/base/user_error.h>
 
 #include <stickslip/output/csv.h>
-#include <stickslip/output/diagnosis_output.h>
 #include <stickslip/output/output_directory.h>
 
 #include <deal.II/base/data_out_base.h>

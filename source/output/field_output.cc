@@ -1,4 +1,5 @@
 #include <stickslip/output/field_output.h>
+
 #include <stickslip/output/stress_projection.h>
 
 #include <deal.II/fe/mapping_q_eulerian.h>
@@ -7,7 +8,9 @@
 
 #include <algorithm>
 #include <memory>
+#include <string>
 #include <tuple>
+#include <vector>
 
 namespace stickslip
 {

@@ -1,5 +1,7 @@
 #include <stickslip/output/material_fields.h>
 
+#include <utility>
+
 namespace stickslip
 {
   template <int dim>

@@ -1,7 +1,8 @@
+#include <stickslip/output/output_series.h>
+
 #include <stickslip/base/user_error.h>
 
 #include <stickslip/output/output_directory.h>
-#include <stickslip/output/output_series.h>
 
 #include <deal.II/base/config.h>
 
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>

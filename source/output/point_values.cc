@@ -1,5 +1,6 @@
-#include <stickslip/base/user_error.h>
 #include <stickslip/output/point_values.h>
+
+#include <stickslip/base/user_error.h>
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <sstream>
 

@@ -1,8 +1,9 @@
+#include <stickslip/output/statistics_table.h>
+
 #include <stickslip/base/user_error.h>
 
 #include <stickslip/output/csv.h>
 #include <stickslip/output/output_directory.h>
-#include <stickslip/output/statistics_table.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/utilities.h>

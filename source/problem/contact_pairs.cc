@@ -1,8 +1,9 @@
-#include <stickslip/base/user_error.h>
-
 #include <stickslip/problem/contact_pairs.h>
 
+#include <stickslip/base/user_error.h>
+
 #include <set>
+#include <string>
 
 namespace stickslip
 {

@@ -1,3 +1,5 @@
+#include <stickslip/problem/contact_problem.h>
+
 #include <stickslip/base/no_convergence.h>
 #include <stickslip/base/user_error.h>
 
@@ -6,7 +8,6 @@
 #include <stickslip/contact/assembly/nodal_frames.h>
 
 #include <stickslip/problem/contact_pairs.h>
-#include <stickslip/problem/contact_problem.h>
 
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/mpi.h>
@@ -14,6 +15,7 @@
 
 #include <deal.II/grid/grid_tools.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -4,6 +4,8 @@
 
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
+#include <vector>
+
 namespace stickslip
 {
   template <int dim>

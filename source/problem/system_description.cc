@@ -1,9 +1,12 @@
+#include <stickslip/problem/system_description.h>
+
 #include <stickslip/contact/assembly/multiplier_scales.h>
 
 #include <stickslip/problem/rigid_modes.h>
-#include <stickslip/problem/system_description.h>
 
 #include <deal.II/base/mpi.h>
+
+#include <vector>
 
 namespace stickslip
 {

@@ -1,7 +1,8 @@
+#include <stickslip/simulation/case_parameters.h>
+
 #include <stickslip/base/declared_parameters.h>
 #include <stickslip/base/user_error.h>
 
-#include <stickslip/simulation/case_parameters.h>
 
 namespace stickslip
 {

@@ -1,19 +1,23 @@
+#include <stickslip/simulation/checkpoint.h>
+
 #include <stickslip/base/user_error.h>
 
 #include <stickslip/output/output_directory.h>
 
 #include <stickslip/simulation/cell_records.h>
 #include <stickslip/simulation/cell_state.h>
-#include <stickslip/simulation/checkpoint.h>
 #include <stickslip/simulation/checkpoint_directory.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <map>
 #include <random>
 #include <sstream>
+#include <vector>
 
 namespace stickslip
 {

@@ -1,8 +1,9 @@
+#include <stickslip/simulation/checkpoint_description.h>
+
 #include <stickslip/output/csv.h>
 
 #include <stickslip/simulation/cell_records.h>
 #include <stickslip/simulation/cell_state.h>
-#include <stickslip/simulation/checkpoint_description.h>
 
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/mpi.h>

@@ -1,6 +1,6 @@
-#include <stickslip/output/output_directory.h>
-
 #include <stickslip/simulation/checkpoint_directory.h>
+
+#include <stickslip/output/output_directory.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -1,6 +1,6 @@
-#include <stickslip/linear_solvers/projected_conjugate_gradient.h>
-
 #include <stickslip/simulation/dual_increment.h>
+
+#include <stickslip/linear_solvers/projected_conjugate_gradient.h>
 
 #include <deal.II/base/timer.h>
 

@@ -1,4 +1,5 @@
 #include <stickslip/simulation/failure_explanation.h>
+
 #include <stickslip/simulation/residual_trend.h>
 #include <stickslip/simulation/singular_matrix.h>
 

@@ -1,8 +1,8 @@
+#include <stickslip/simulation/failure_report.h>
+
 #include <stickslip/contact/results/contact_results.h>
 
 #include <stickslip/output/diagnosis_output.h>
-
-#include <stickslip/simulation/failure_report.h>
 
 #include <sstream>
 

@@ -1,9 +1,9 @@
+#include <stickslip/simulation/final_results.h>
+
 #include <stickslip/contact/results/contact_results.h>
 
 #include <stickslip/output/contact_resultants.h>
 #include <stickslip/output/material_fields.h>
-
-#include <stickslip/simulation/final_results.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
-#include <stickslip/base/user_error.h>
-
 #include <stickslip/simulation/load_stepping.h>
+
+#include <stickslip/base/user_error.h>
 
 #include <algorithm>
 #include <cmath>

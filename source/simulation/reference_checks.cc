@@ -1,7 +1,7 @@
+#include <stickslip/simulation/reference_checks.h>
+
 #include <stickslip/base/nearest_name.h>
 #include <stickslip/base/user_error.h>
-
-#include <stickslip/simulation/reference_checks.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
-#include <stickslip/output/csv.h>
-
 #include <stickslip/simulation/run_summary.h>
+
+#include <stickslip/output/csv.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,7 @@
 #include <map>
 #include <ostream>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace stickslip

@@ -1,3 +1,5 @@
+#include <stickslip/simulation/simulation.h>
+
 #include <stickslip/base/no_convergence.h>
 #include <stickslip/base/user_error.h>
 
@@ -10,7 +12,6 @@
 #include <stickslip/simulation/checkpoint_directory.h>
 #include <stickslip/simulation/failure_report.h>
 #include <stickslip/simulation/final_results.h>
-#include <stickslip/simulation/simulation.h>
 
 #include <iostream>
 #include <sstream>

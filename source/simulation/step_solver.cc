@@ -1,5 +1,6 @@
-#include <stickslip/simulation/dual_increment.h>
 #include <stickslip/simulation/step_solver.h>
+
+#include <stickslip/simulation/dual_increment.h>
 
 #include <stickslip/strategy/nested_fixed_point.h>
 #include <stickslip/strategy/newton_solver.h>

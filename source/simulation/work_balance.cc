@@ -1,5 +1,6 @@
-#include <stickslip/simulation/final_results.h>
 #include <stickslip/simulation/work_balance.h>
+
+#include <stickslip/simulation/final_results.h>
 
 namespace stickslip
 {

@@ -1,11 +1,12 @@
-#include <stickslip/base/user_error.h>
-
 #include <stickslip/solid/boundary_condition_parameters.h>
+
+#include <stickslip/base/user_error.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
 
+#include <cmath>
 #include <map>
 
 namespace stickslip

@@ -1,11 +1,14 @@
+#include <stickslip/solid/boundary_conditions.h>
+
 #include <stickslip/base/user_error.h>
 
-#include <stickslip/solid/boundary_conditions.h>
 #include <stickslip/solid/displacement_constraints.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <deal.II/dofs/dof_tools.h>
+
+#include <memory>
 
 namespace stickslip
 {

@@ -1,6 +1,7 @@
+#include <stickslip/solid/constitutive_law.h>
+
 #include <stickslip/base/registry.h>
 
-#include <stickslip/solid/constitutive_law.h>
 #include <stickslip/solid/hencky.h>
 #include <stickslip/solid/hyperelastic.h>
 #include <stickslip/solid/linear_elastic.h>

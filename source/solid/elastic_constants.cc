@@ -1,6 +1,6 @@
-#include <stickslip/base/user_error.h>
-
 #include <stickslip/solid/elastic_constants.h>
+
+#include <stickslip/base/user_error.h>
 
 #include <sstream>
 

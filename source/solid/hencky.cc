@@ -1,8 +1,10 @@
 #include <stickslip/solid/hencky.h>
+
 #include <stickslip/solid/history_tensor.h>
 #include <stickslip/solid/principal_axes.h>
 #include <stickslip/solid/radial_return.h>
 
+#include <array>
 #include <cmath>
 
 namespace stickslip

@@ -1,6 +1,7 @@
+#include <stickslip/solid/hyperelastic.h>
+
 #include <stickslip/base/user_error.h>
 
-#include <stickslip/solid/hyperelastic.h>
 #include <stickslip/solid/tangent_terms.h>
 
 #include <cmath>

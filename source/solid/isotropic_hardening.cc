@@ -1,6 +1,6 @@
-#include <stickslip/base/user_error.h>
-
 #include <stickslip/solid/isotropic_hardening.h>
+
+#include <stickslip/base/user_error.h>
 
 #include <algorithm>
 #include <cmath>

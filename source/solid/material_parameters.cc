@@ -1,6 +1,7 @@
+#include <stickslip/solid/material_parameters.h>
+
 #include <stickslip/base/user_error.h>
 
-#include <stickslip/solid/material_parameters.h>
 #include <stickslip/solid/plane_stress.h>
 
 

@@ -1,4 +1,5 @@
 #include <stickslip/solid/mean_dilatation.h>
+
 #include <stickslip/solid/tangent_terms.h>
 
 #include <cmath>

@@ -1,4 +1,5 @@
 #include <stickslip/solid/neo_hookean.h>
+
 #include <stickslip/solid/tangent_terms.h>
 
 #include <cmath>

@@ -1,4 +1,5 @@
 #include <stickslip/solid/principal_axes.h>
+
 #include <stickslip/solid/tangent_terms.h>
 
 #include <cmath>

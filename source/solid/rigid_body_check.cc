@@ -5,6 +5,9 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <string>
+#include <vector>
+
 namespace stickslip
 {
   namespace

@@ -4,6 +4,7 @@
 
 #include <deal.II/lac/vector.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>

@@ -1,6 +1,6 @@
-#include <stickslip/base/user_error.h>
-
 #include <stickslip/solid/rigid_motion.h>
+
+#include <stickslip/base/user_error.h>
 
 #include <deal.II/base/numbers.h>
 

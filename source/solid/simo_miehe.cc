@@ -1,9 +1,11 @@
+#include <stickslip/solid/simo_miehe.h>
+
 #include <stickslip/solid/history_tensor.h>
 #include <stickslip/solid/principal_axes.h>
 #include <stickslip/solid/radial_return.h>
-#include <stickslip/solid/simo_miehe.h>
 #include <stickslip/solid/tangent_terms.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>

@@ -1,8 +1,9 @@
+#include <stickslip/solid/small_strain_plasticity.h>
+
 #include <stickslip/base/user_error.h>
 
 #include <stickslip/solid/history_tensor.h>
 #include <stickslip/solid/radial_return.h>
-#include <stickslip/solid/small_strain_plasticity.h>
 #include <stickslip/solid/tangent_terms.h>
 
 #include <cmath>

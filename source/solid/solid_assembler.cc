@@ -1,6 +1,6 @@
-#include <stickslip/base/user_error.h>
-
 #include <stickslip/solid/solid_assembler.h>
+
+#include <stickslip/base/user_error.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -1,6 +1,6 @@
-#include <stickslip/base/user_error.h>
-
 #include <stickslip/solid/support_forces.h>
+
+#include <stickslip/base/user_error.h>
 
 #include <deal.II/base/mpi.h>
 

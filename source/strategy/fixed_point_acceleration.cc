@@ -1,5 +1,7 @@
 #include <stickslip/strategy/fixed_point_acceleration.h>
 
+#include <vector>
+
 namespace stickslip
 {
   namespace

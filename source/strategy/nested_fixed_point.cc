@@ -1,12 +1,15 @@
+#include <stickslip/strategy/nested_fixed_point.h>
+
 #include <stickslip/base/no_convergence.h>
 
 #include <stickslip/strategy/fixed_point_acceleration.h>
-#include <stickslip/strategy/nested_fixed_point.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <set>
 #include <sstream>
+#include <utility>
 
 namespace stickslip
 {

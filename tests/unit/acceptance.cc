@@ -9,6 +9,7 @@
 #include <functional>
 #include <iomanip>
 #include <sstream>
+#include <vector>
 
 using namespace stickslip;
 

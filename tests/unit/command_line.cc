@@ -4,6 +4,8 @@
 #include <stickslip/base/user_error.h>
 
 #include <iostream>
+#include <string>
+#include <vector>
 
 using namespace stickslip;
 

@@ -11,6 +11,8 @@
 #include <stickslip/solid/saint_venant_kirchhoff.h>
 
 #include <array>
+#include <string>
+#include <vector>
 
 using namespace law_test;
 

@@ -16,7 +16,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <memory>
 #include <sstream>
+#include <vector>
 
 using namespace stickslip;
 

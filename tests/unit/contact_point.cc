@@ -4,6 +4,7 @@
 #include "contact_point_problem.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <map>

@@ -8,9 +8,12 @@
 #include <deal.II/dofs/dof_tools.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
+#include <map>
 #include <sstream>
+#include <vector>
 
 using namespace stickslip;
 

@@ -4,6 +4,8 @@
 #include <stickslip/simulation/failure_explanation.h>
 
 #include <iostream>
+#include <string>
+#include <vector>
 
 using namespace stickslip;
 

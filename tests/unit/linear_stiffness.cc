@@ -4,6 +4,10 @@
 
 #include "solid_problem.h"
 
+#include <algorithm>
+#include <memory>
+#include <string>
+
 using namespace solid_test;
 
 namespace

@@ -3,6 +3,8 @@
 
 #include "print_mesh.h"
 
+#include <string>
+
 namespace
 {
   /// Largest distance of the vertices of a boundary from a circle or cylinder.

@@ -3,6 +3,8 @@
 #include "print_mesh.h"
 
 #include <fstream>
+#include <string>
+#include <vector>
 
 namespace
 {

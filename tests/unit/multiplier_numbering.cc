@@ -11,6 +11,7 @@
 #include <map>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 using namespace stickslip;
 

@@ -7,8 +7,10 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <string>
 
 using namespace stickslip;
 

@@ -13,6 +13,7 @@
 #include <deal.II/lac/solver_gmres.h>
 
 #include <cmath>
+#include <vector>
 
 using namespace stickslip;
 

@@ -12,7 +12,10 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <memory>
 #include <sstream>
+#include <string>
+#include <vector>
 
 using namespace dealii;
 using namespace stickslip;

@@ -9,6 +9,9 @@
 #include <stickslip/solid/small_strain_plasticity.h>
 
 #include <array>
+#include <string>
+#include <utility>
+#include <vector>
 
 using namespace law_test;
 

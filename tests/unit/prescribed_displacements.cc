@@ -3,6 +3,11 @@
 
 #include "solid_problem.h"
 
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
 using namespace solid_test;
 
 namespace

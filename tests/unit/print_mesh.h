@@ -17,6 +17,8 @@
 #include <limits>
 #include <map>
 #include <sstream>
+#include <string>
+#include <vector>
 
 using namespace stickslip;
 

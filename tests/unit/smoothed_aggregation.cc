@@ -15,6 +15,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 using namespace stickslip;
 

@@ -9,7 +9,11 @@
 
 #include <deal.II/grid/grid_tools.h>
 
+#include <algorithm>
+#include <memory>
 #include <sstream>
+#include <string>
+#include <vector>
 
 using namespace solid_test;
 

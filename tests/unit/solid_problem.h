@@ -31,8 +31,12 @@
 
 #include <deal.II/numerics/vector_tools.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace solid_test
 {

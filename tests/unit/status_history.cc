@@ -9,8 +9,11 @@
 #include <stickslip/problem/contact_problem.h>
 
 #include <algorithm>
+#include <cctype>
 #include <functional>
+#include <memory>
 #include <sstream>
+#include <vector>
 
 using namespace stickslip;
 

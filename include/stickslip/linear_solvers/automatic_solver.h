@@ -4,6 +4,8 @@
 #include <stickslip/linear_solvers/block_amg_solver.h>
 #include <stickslip/linear_solvers/direct_solver.h>
 
+#include <string>
+
 namespace stickslip
 {
   /**

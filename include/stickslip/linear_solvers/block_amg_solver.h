@@ -6,6 +6,8 @@
 #include <stickslip/linear_solvers/multigrid/displacement_multigrid.h>
 #include <stickslip/linear_solvers/zone_solver.h>
 
+#include <memory>
+
 namespace stickslip
 {
   /**

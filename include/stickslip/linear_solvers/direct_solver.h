@@ -6,6 +6,7 @@
 #include <deal.II/lac/solver_control.h>
 
 #include <memory>
+#include <vector>
 
 namespace stickslip
 {

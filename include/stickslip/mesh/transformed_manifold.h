@@ -7,6 +7,7 @@
 #include <deal.II/grid/manifold.h>
 
 #include <memory>
+#include <vector>
 
 namespace stickslip
 {

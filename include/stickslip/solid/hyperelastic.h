@@ -3,6 +3,8 @@
 
 #include <stickslip/solid/constitutive_law.h>
 
+#include <string>
+
 namespace stickslip
 {
   /**

@@ -3,6 +3,10 @@
 
 #include <stickslip/solid/constitutive_law.h>
 
+#include <memory>
+#include <string>
+#include <vector>
+
 namespace stickslip
 {
   /**

@@ -13,6 +13,7 @@
 #include <deal.II/lac/full_matrix.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stickslip

@@ -4,6 +4,8 @@
 #include <stickslip/solid/constitutive_law.h>
 #include <stickslip/solid/elastic_constants.h>
 
+#include <string>
+
 namespace stickslip
 {
   /**

@@ -5,6 +5,9 @@
 #include <stickslip/solid/elastic_constants.h>
 #include <stickslip/solid/isotropic_hardening.h>
 
+#include <string>
+#include <vector>
+
 namespace stickslip
 {
   /**

@@ -1,5 +1,10 @@
 #include <stickslip/contact/assembly/contact_assembler.h>
+
 #include <stickslip/contact/point/tangent_stabilization.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace stickslip
 {
@@ -31,7 +36,6 @@ namespace stickslip
   }
 
 
-
   template <int dim>
   IndexSet
   ContactAssembler<dim>::needed_displacements() const
@@ -47,7 +51,6 @@ namespace stickslip
   }
 
 
-
   template <int dim>
   bool
   ContactAssembler<dim>::update_patches(const LA::Vector &u, const bool force)
@@ -57,7 +60,6 @@ namespace stickslip
       changed = pair->update_patch(u, force) || changed;
     return changed;
   }
-
 
 
   template <int dim>
@@ -75,7 +77,6 @@ namespace stickslip
             point.set_frame(pair->find_frame(point));
       }
   }
-
 
 
   template <int dim>

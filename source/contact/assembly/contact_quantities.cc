@@ -1,6 +1,6 @@
-#include <stickslip/base/mixed_bits.h>
-
 #include <stickslip/contact/assembly/contact_quantities.h>
+
+#include <stickslip/base/mixed_bits.h>
 
 #include <deal.II/base/mpi.h>
 

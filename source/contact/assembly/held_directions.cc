@@ -3,8 +3,10 @@
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <vector>
 
 namespace stickslip
 {

@@ -1,7 +1,9 @@
-#include <stickslip/contact/assembly/contact_scales.h>
 #include <stickslip/contact/assembly/multiplier_scales.h>
 
+#include <stickslip/contact/assembly/contact_scales.h>
+
 #include <cmath>
+#include <vector>
 
 namespace stickslip
 {

@@ -1,6 +1,6 @@
-#include <stickslip/base/mixed_bits.h>
-
 #include <stickslip/contact/cycling/status_history.h>
+
+#include <stickslip/base/mixed_bits.h>
 
 #include <algorithm>
 

@@ -1,6 +1,7 @@
+#include <stickslip/contact/pairing/contact_pair.h>
+
 #include <stickslip/base/user_error.h>
 
-#include <stickslip/contact/pairing/contact_pair.h>
 #include <stickslip/contact/point/contact_points.h>
 #include <stickslip/contact/surface/contact_quadrature.h>
 #include <stickslip/contact/surface/excluded_nodes.h>

@@ -1,6 +1,6 @@
-#include <stickslip/base/user_error.h>
-
 #include <stickslip/contact/point/contact_parameters.h>
+
+#include <stickslip/base/user_error.h>
 
 #include <deal.II/base/utilities.h>
 

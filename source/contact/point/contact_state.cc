@@ -1,5 +1,6 @@
-#include <stickslip/contact/point/contact_element.h>
 #include <stickslip/contact/point/contact_state.h>
+
+#include <stickslip/contact/point/contact_element.h>
 
 namespace stickslip
 {

@@ -1,6 +1,7 @@
 #include <stickslip/contact/point/tangent_stabilization.h>
 
 #include <cmath>
+#include <vector>
 
 namespace stickslip
 {

@@ -1,9 +1,11 @@
-#include <stickslip/contact/assembly/contact_scales.h>
 #include <stickslip/contact/results/contact_check.h>
+
+#include <stickslip/contact/assembly/contact_scales.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace stickslip

@@ -1,10 +1,12 @@
-#include <stickslip/base/user_error.h>
-
 #include <stickslip/contact/surface/contact_quadrature.h>
+
+#include <stickslip/base/user_error.h>
 
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/utilities.h>
+
+#include <vector>
 
 namespace stickslip
 {

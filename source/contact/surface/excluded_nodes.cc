@@ -1,9 +1,11 @@
-#include <stickslip/base/user_error.h>
-
 #include <stickslip/contact/surface/excluded_nodes.h>
+
+#include <stickslip/base/user_error.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
+
+#include <exception>
 
 namespace stickslip
 {

@@ -1,6 +1,7 @@
 #include <stickslip/linear_solvers/multigrid/block_matrix.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace stickslip
 {

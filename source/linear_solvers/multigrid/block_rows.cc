@@ -3,6 +3,9 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
+#include <utility>
 
 namespace stickslip
 {

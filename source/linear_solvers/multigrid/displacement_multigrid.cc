@@ -1,7 +1,12 @@
+#include <stickslip/linear_solvers/multigrid/displacement_multigrid.h>
+
 #include <stickslip/base/no_convergence.h>
 #include <stickslip/base/short_message.h>
 
-#include <stickslip/linear_solvers/multigrid/displacement_multigrid.h>
+#include <exception>
+#include <utility>
+#include <vector>
+
 
 namespace stickslip
 {

@@ -1,6 +1,8 @@
 #include <stickslip/linear_solvers/multigrid/galerkin_product.h>
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace stickslip
 {

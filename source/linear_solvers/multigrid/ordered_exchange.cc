@@ -1,8 +1,10 @@
-#include <stickslip/base/mixed_bits.h>
-
 #include <stickslip/linear_solvers/multigrid/ordered_exchange.h>
 
+#include <stickslip/base/mixed_bits.h>
+
 #include <deal.II/base/mpi.h>
+
+#include <utility>
 
 namespace stickslip
 {

@@ -1,7 +1,9 @@
-#include <stickslip/linear_solvers/multigrid/galerkin_product.h>
 #include <stickslip/linear_solvers/multigrid/smoothed_aggregation.h>
 
+#include <stickslip/linear_solvers/multigrid/galerkin_product.h>
+
 #include <algorithm>
+#include <utility>
 
 namespace stickslip
 {

@@ -5,7 +5,9 @@
 
 #include <stickslip/contact/assembly/contact_assembler.h>
 
+#include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace stickslip

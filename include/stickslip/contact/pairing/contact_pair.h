@@ -8,7 +8,9 @@
 #include <stickslip/contact/point/contact_points.h>
 #include <stickslip/contact/surface/multiplier_numbering.h>
 
+#include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 

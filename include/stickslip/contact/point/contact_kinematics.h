@@ -3,6 +3,9 @@
 
 #include <stickslip/contact/surface/master_geometry.h>
 
+#include <array>
+#include <vector>
+
 namespace stickslip
 {
   /**

@@ -3,6 +3,8 @@
 
 #include <stickslip/contact/point/contact_kinematics.h>
 
+#include <array>
+
 namespace stickslip
 {
   /// The six regularization parameters at one contact point, with units.

@@ -3,6 +3,8 @@
 
 #include <stickslip/contact/surface/master_geometry.h>
 
+#include <array>
+
 namespace stickslip
 {
   /// Where a slave point lies over a master face.

@@ -3,6 +3,8 @@
 
 #include <stickslip/linear_solvers/multigrid/block_matrix.h>
 
+#include <vector>
+
 namespace stickslip
 {
   /// Groups of nodes of one rank that a coarse node will stand for.

@@ -4,6 +4,8 @@
 #include <stickslip/linear_solvers/multigrid/block_matrix.h>
 #include <stickslip/linear_solvers/multigrid/ordered_exchange.h>
 
+#include <vector>
+
 namespace stickslip
 {
   /**

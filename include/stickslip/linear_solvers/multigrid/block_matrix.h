@@ -3,6 +3,8 @@
 
 #include <stickslip/linear_solvers/multigrid/block_rows.h>
 
+#include <vector>
+
 namespace stickslip
 {
   /**

@@ -5,6 +5,8 @@
 
 #include <stickslip/linear_solvers/multigrid/node_space.h>
 
+#include <vector>
+
 namespace stickslip
 {
   /**

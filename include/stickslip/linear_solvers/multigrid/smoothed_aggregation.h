@@ -8,6 +8,9 @@
 
 #include <deal.II/lac/solver_control.h>
 
+#include <memory>
+#include <vector>
+
 namespace stickslip
 {
   /**
