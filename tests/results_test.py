@@ -5,7 +5,8 @@
 
 A block is pressed on another one, dragged along it and beyond its end, in 2D
 and in 3D. Forces of supports, contact forces and contact points have to agree,
-on one and on two ranks. Beside them: continuing with another parameter, and
+on one and on two ranks, and where the whole surface slips, friction has to be
+Coulomb's. Also: continuing with another parameter, and
 the surfaces of an Abaqus file.
 """
 import os
@@ -148,6 +149,20 @@ def check_forces(directory, dim):
     check(f"{directory}: the slave should slide over the end", unpaired > 0)
 
 
+def check_slip(directory, friction_coefficient):
+    """2D: where every closed point slips to the right, friction is mu times the normal force, turned by 90 degrees."""
+    n_steps = 0
+    for row in rows_of(f"{directory}/resultants.csv"):
+        value = {key[len("interface."):]: float(number) for key, number in row.items() if key.startswith("interface.")}
+        if value["slip_points"] > 0 and value["stick_points"] == 0 and value["friction_force_x"] < 0:
+            n_steps += 1
+            scale = value["normal_force_y"]
+            for axis, turned in (("x", -value["normal_force_y"]), ("y", value["normal_force_x"])):
+                check(f"{directory}, step {row['step']}: Coulomb's law, {axis}",
+                      close(value[f"friction_force_{axis}"], friction_coefficient * turned, scale))
+    check(f"{directory}: some steps in which all closed points slip", n_steps > 1)
+
+
 def check_same_tables(one, other):
     for name in ("reactions.csv", "resultants.csv", "contact_points-0010.csv"):
         a, b = rows_of(f"{one}/{name}"), rows_of(f"{other}/{name}")
@@ -165,6 +180,8 @@ for dim, overrides in ((2, {}), (3, IN_3D)):
         result = run("case.prm", "--output-directory", directory, *settings(overrides), ranks=ranks)
         check(f"{directory}: exit code {result.returncode}\n{result.stderr}", result.returncode == 0)
         check_forces(directory, dim)
+    if dim == 2:
+        check_slip("2D_1", 0.3)
     check_same_tables(f"{dim}D_1", f"{dim}D_2")
     fields = pathlib.Path(f"{dim}D_1/contact-0010.0.vtu").read_text(errors="replace")
     check(f"{dim}D: field 'paired'", 'Name="paired"' in fields)
