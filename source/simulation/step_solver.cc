@@ -7,6 +7,8 @@
 #include <stickslip/strategy/solution_strategy.h>
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 namespace stickslip
 {
@@ -15,6 +17,82 @@ namespace stickslip
     /// Newton iterations, over the limit of one solve, that an algorithm of
     /// `automatic` may take in a step before the next one is tried.
     constexpr unsigned int iterations_before_next = 10;
+
+
+
+    /// The equations of a step as Newton's method sees them.
+    template <int dim>
+    class StepNewtonProblem : public NewtonProblem
+    {
+    public:
+      using SolveIncrement = std::function<
+        void(const LA::BlockVector &, const double, LA::BlockVector &)>;
+
+      StepNewtonProblem(ContactProblem<dim> &problem,
+                        CyclingCures<dim>   &cures,
+                        ConvergenceLog      &log,
+                        SolveIncrement       solve)
+        : problem(problem)
+        , cures(cures)
+        , log(log)
+        , solve(std::move(solve))
+      {}
+
+      void
+      accept_iterate(const LA::BlockVector &x) override
+      {
+        problem.begin_iteration(x);
+      }
+
+      NewtonIteration
+      residual(const LA::BlockVector &x) override
+      {
+        const ResidualNorms norms = problem.residual(x);
+        return {norms.equilibrium, norms.contact, norms.prescribed};
+      }
+
+      void
+      solve_increment(const LA::BlockVector &x,
+                      const double           sufficient,
+                      LA::BlockVector       &increment) override
+      {
+        solve(x, sufficient, increment);
+      }
+
+      bool
+      is_admissible(std::string &reason) const override
+      {
+        return problem.state_is_admissible(reason);
+      }
+
+      void
+      report(const unsigned int     iteration,
+             const NewtonIteration &state) override
+      {
+        log.newton_iteration(iteration, state);
+      }
+
+      CycleTreatment
+      treat_cycle(const bool stagnates) override
+      {
+        const CycleTreatment treatment = cures.observe(stagnates);
+        if (!cures.description().empty())
+          log.note(cures.description());
+        return treatment;
+      }
+
+      bool
+      release_fixed_statuses() override
+      {
+        return cures.release();
+      }
+
+    private:
+      ContactProblem<dim> &problem;
+      CyclingCures<dim>   &cures;
+      ConvergenceLog      &log;
+      const SolveIncrement solve;
+    };
   } // namespace
 
 
@@ -112,37 +190,15 @@ namespace stickslip
   void
   StepSolver<dim>::attempt(const std::string &algorithm, LA::BlockVector &x)
   {
-    NewtonOperators newton;
-    newton.begin_iteration = [this](const LA::BlockVector &state) {
-      problem.begin_iteration(state);
-    };
-    newton.residual = [this](const LA::BlockVector &state) {
-      const ResidualNorms norms = problem.residual(state);
-      return NewtonIteration{norms.equilibrium,
-                             norms.contact,
-                             norms.prescribed};
-    };
-    newton.solve_increment = [this](const LA::BlockVector &state,
-                                    const double           sufficient,
-                                    LA::BlockVector       &increment) {
-      solve_increment(state, sufficient, increment);
-    };
-    newton.is_admissible = [this](std::string &reason) {
-      return problem.state_is_admissible(reason);
-    };
-    newton.report = [this](const unsigned int     iteration,
-                           const NewtonIteration &state) {
-      log.newton_iteration(iteration, state);
-    };
-    newton.treat_cycle = [this](const bool stagnates) {
-      const CycleTreatment treatment = cures.observe(stagnates);
-      if (!cures.description().empty())
-        log.note(cures.description());
-      return treatment;
-    };
-    newton.release_holds = [this]() { return cures.release(); };
-
-    const NewtonSolver     newton_solver(parameters.algorithm.newton, newton);
+    StepNewtonProblem<dim> newton_problem(
+      problem,
+      cures,
+      log,
+      [this](const auto &state, const double sufficient, auto &increment) {
+        solve_increment(state, sufficient, increment);
+      });
+    const NewtonSolver     newton_solver(parameters.algorithm.newton,
+                                     newton_problem);
     const NestedFixedPoint fixed_point(
       make_loops(
         algorithm, parameters.algorithm, problem.quantities(), problem.counts),

@@ -1,7 +1,7 @@
 #ifndef stickslip_simulation_convergence_log_h
 #define stickslip_simulation_convergence_log_h
 
-#include <stickslip/strategy/newton_solver.h>
+#include <stickslip/strategy/newton_problem.h>
 
 #include <deal.II/base/mpi.h>
 

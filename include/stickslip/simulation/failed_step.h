@@ -7,7 +7,8 @@
 #include <stickslip/contact/cycling/point_diagnosis.h>
 #include <stickslip/contact/point/contact_parameters.h>
 
-#include <stickslip/strategy/newton_solver.h>
+#include <stickslip/strategy/newton_parameters.h>
+#include <stickslip/strategy/newton_problem.h>
 
 #include <functional>
 #include <string>

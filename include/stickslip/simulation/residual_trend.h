@@ -1,7 +1,8 @@
 #ifndef stickslip_simulation_residual_trend_h
 #define stickslip_simulation_residual_trend_h
 
-#include <stickslip/strategy/newton_solver.h>
+#include <stickslip/strategy/newton_parameters.h>
+#include <stickslip/strategy/newton_problem.h>
 
 #include <vector>
 

@@ -4,7 +4,7 @@
 #include <stickslip/base/solve_counts.h>
 
 #include <stickslip/strategy/nested_fixed_point.h>
-#include <stickslip/strategy/newton_solver.h>
+#include <stickslip/strategy/newton_parameters.h>
 
 #include <array>
 #include <string>

@@ -1,0 +1,86 @@
+#ifndef stickslip_strategy_newton_problem_h
+#define stickslip_strategy_newton_problem_h
+
+#include <stickslip/base/cycle_treatment.h>
+#include <stickslip/base/types.h>
+
+#include <string>
+
+namespace stickslip
+{
+  /// One line of a Newton run, for log and tables.
+  struct NewtonIteration
+  {
+    double equilibrium = 0.; ///< relative residual
+    double contact     = 0.; ///< largest contact row
+    double prescribed = 0.; ///< largest prescribed displacement not applied yet
+    double increment = 0.; ///< relative increment of displacements, multipliers
+    double step_length = 1.;
+  };
+
+
+
+  /**
+   * A nonlinear system R(x) = 0 as NewtonSolver sees it. R and the increment
+   * are all that a problem has to have; the rest is there for problems with
+   * constants of an iteration, with states that are outside of the model, and
+   * with statuses whose sequence may repeat. All functions are collective.
+   */
+  class NewtonProblem
+  {
+  public:
+    virtual ~NewtonProblem() = default;
+
+    /// Called with the start and with every iterate that is kept, but not with
+    /// the trials of a line search: renews what is constant until the next one.
+    virtual void
+    accept_iterate(const LA::BlockVector & /*x*/)
+    {}
+
+    /// The first three entries; with live quantities recomputed.
+    virtual NewtonIteration
+    residual(const LA::BlockVector &x) = 0;
+
+    /// Solves the problem linearized at @p x for the @p increment, which is 0
+    /// before; a relative linear residual of @p sufficient will do (0: as
+    /// exactly as usual).
+    virtual void
+    solve_increment(const LA::BlockVector &x,
+                    const double           sufficient,
+                    LA::BlockVector       &increment) = 0;
+
+    /// False (with the reason) if the last residual was outside of what the
+    /// model can represent, for example an inverted cell.
+    virtual bool
+    is_admissible(std::string & /*reason*/) const
+    {
+      return true;
+    }
+
+    /// Called after the residual of the start and of each iterate.
+    virtual void
+    report(const unsigned int /*iteration*/, const NewtonIteration & /*state*/)
+    {}
+
+    /// Called after each iteration, with the last residual that of the new
+    /// iterate: sees whether statuses repeat and, if the residual has not
+    /// become smaller for a while (@p stagnates), changes the equations of
+    /// those that do.
+    virtual CycleTreatment
+    treat_cycle(const bool /*stagnates*/)
+    {
+      return CycleTreatment::none;
+    }
+
+    /// Called where the residual has converged: takes back what treat_cycle()
+    /// has fixed against the equations of the problem. True if there was
+    /// anything.
+    virtual bool
+    release_fixed_statuses()
+    {
+      return false;
+    }
+  };
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,81 @@
+#include <stickslip/strategy/newton_parameters.h>
+
+namespace stickslip
+{
+  const Choices<LineSearch> &
+  all_line_searches()
+  {
+    static const Choices<LineSearch> choices = {
+      {"automatic", LineSearch::automatic},
+      {"none", LineSearch::none},
+      {"backtracking", LineSearch::backtracking}};
+    return choices;
+  }
+
+
+
+  const Choices<Forcing> &
+  all_forcings()
+  {
+    static const Choices<Forcing> choices = {{"none", Forcing::none},
+                                             {"Eisenstat-Walker",
+                                              Forcing::eisenstat_walker}};
+    return choices;
+  }
+
+
+
+  void
+  NewtonParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Max iterations",
+                      max_iterations,
+                      "Newton iterations after which a solve has failed.",
+                      Patterns::Integer(1));
+    prm.add_parameter(
+      "Equilibrium tolerance",
+      equilibrium_tolerance,
+      "Largest ||F_int + F_contact - F_ext|| / max(||F_ext||, ||reactions||) "
+      "(eq. 25 of the paper). A hundred times as much will do after a full "
+      "step that has changed the state by roundoff only.",
+      Patterns::Double(0.));
+    prm.add_parameter(
+      "Contact tolerance",
+      contact_tolerance,
+      "Largest violation of a weak contact condition: gap over the size of the "
+      "slave face, or error of the friction multiplier.",
+      Patterns::Double(0.));
+    prm.add_parameter(
+      "Increment tolerance",
+      increment_tolerance,
+      "Largest relative change of displacements and multipliers in the last "
+      "iteration (the further terms of eq. 26).",
+      Patterns::Double(0.));
+    add_choice(prm,
+               "Line search",
+               line_search,
+               all_line_searches(),
+               "none: full steps (halved only if a cell would invert). "
+               "backtracking: the step is halved while "
+               "the residual grows. automatic: full steps, and "
+               "backtracking once six iterations have not made the "
+               "residual smaller, as in a cycle of contact statuses.");
+    prm.add_parameter("Max halvings",
+                      max_halvings,
+                      "How often a step is halved by the line search, or "
+                      "because it inverts a cell.",
+                      Patterns::Integer(0, 30));
+    add_choice(
+      prm,
+      "Forcing",
+      forcing,
+      all_forcings(),
+      "How exactly an iterative linear solver works. none: always to its "
+      "'Relative tolerance'. Eisenstat-Walker: to what the Newton iteration "
+      "can "
+      "make use of, at least two digits; faster, but the first iterations take "
+      "another path, which can end in another step size or, with friction, in "
+      "another state, above all of bodies that only contact holds. MUMPS is "
+      "exact anyway.");
+  }
+} // namespace stickslip
