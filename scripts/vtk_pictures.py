@@ -1,14 +1,62 @@
-"""Grids of a run, and pictures of them: what scripts/render has VTK do."""
+"""Grids of a run, and pictures of them: what scripts/render and report have VTK do."""
+import os
+import shutil
+import sys
+
 import numpy as np
 import vtk
-from vtk.util.numpy_support import vtk_to_numpy, numpy_to_vtk
+from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+
+XDMF_CELLS = {"Polyline": vtk.VTK_LINE, "Quadrilateral": vtk.VTK_QUAD, "Hexahedron": vtk.VTK_HEXAHEDRON}
 
 
-def read_grid(file_name):
+def run_under_a_display(program):
+    """VTK of Debian draws through X only: start a virtual one if there is none."""
+    if os.environ.get("DISPLAY"):
+        return
+    if shutil.which("xvfb-run") is None:
+        sys.exit(f"{program}: no display and no xvfb-run. On Debian: apt-get install xvfb")
+    os.environ.setdefault("LIBGL_ALWAYS_SOFTWARE", "1")
+    os.execvp("xvfb-run", ["xvfb-run", "-a", "-s", "-screen 0 1600x1200x24", sys.executable, *sys.argv])
+
+
+def read_grid(step):
+    """The grid of a FieldStep (run_results): VTU pieces, or HDF5."""
+    if step.topology is not None:
+        return read_hdf5(step.path, XDMF_CELLS[step.topology])
     reader = vtk.vtkXMLPUnstructuredGridReader()
-    reader.SetFileName(file_name)
+    reader.SetFileName(str(step.path))
     reader.Update()
     return reader.GetOutput()
+
+
+def read_hdf5(path, cell_type):
+    try:
+        import h5py
+    except ImportError:
+        raise SystemExit(f"'{path}' is HDF5, for which Python needs h5py. On Debian: apt-get install python3-h5py, "
+                         "and use /usr/bin/python3.")
+    grid = vtk.vtkUnstructuredGrid()
+    with h5py.File(path) as file:
+        nodes = np.zeros((len(file["nodes"]), 3))
+        nodes[:, : file["nodes"].shape[1]] = file["nodes"]
+        points = vtk.vtkPoints()
+        points.SetDataTypeToDouble()
+        points.SetData(numpy_to_vtk(nodes, deep=1))
+        grid.SetPoints(points)
+
+        connectivity = np.asarray(file["cells"], dtype=np.int64)
+        cells = vtk.vtkCellArray()
+        cells.SetData(connectivity.shape[1], numpy_to_vtkIdTypeArray(connectivity.ravel(), deep=1))
+        grid.SetCells(cell_type, cells)
+
+        for name, data in file.items():
+            if name not in ("nodes", "cells"):
+                values = np.asarray(data, dtype=float)
+                array = numpy_to_vtk(values[:, 0] if values.shape[1] == 1 else values, deep=1)
+                array.SetName(name)
+                grid.GetPointData().AddArray(array)
+    return grid
 
 
 def warped(grid, factor):
@@ -33,16 +81,15 @@ def surface_of(grid, subdivisions=1):
     return surface.GetOutput()
 
 
-def split_by_body(grid):
-    """One grid per body, so that touching bodies keep their own surfaces."""
-    if grid.GetPointData().GetArray("body") is None:
+def split_by_value(grid, name):
+    """One grid per value of a point field ("body": so that touching bodies keep their own surfaces)."""
+    if grid.GetPointData().GetArray(name) is None:
         return [grid]
-    numbers = np.unique(vtk_to_numpy(grid.GetPointData().GetArray("body")))
     parts = []
-    for number in numbers:
+    for number in np.unique(np.rint(vtk_to_numpy(grid.GetPointData().GetArray(name)))):
         threshold = vtk.vtkThreshold()
         threshold.SetInputData(grid)
-        threshold.SetInputArrayToProcess(0, 0, 0, 0, "body")
+        threshold.SetInputArrayToProcess(0, 0, 0, 0, name)
         threshold.SetLowerThreshold(number - 0.1)
         threshold.SetUpperThreshold(number + 0.1)
         threshold.Update()
@@ -56,8 +103,7 @@ def add_scalar(data, field, component):
     if array is None:
         known = [data.GetPointData().GetArrayName(i)
                  for i in range(data.GetPointData().GetNumberOfArrays())]
-        sys.exit(f"scripts/render: no field '{field}' in the results. "
-                 f"There are: {', '.join(known)}.")
+        sys.exit(f"There is no field '{field}' in the results. There are: {', '.join(sorted(known))}.")
     values = vtk_to_numpy(array).astype(float)
     if values.ndim > 1:
         values = (np.linalg.norm(values, axis=1) if component is None
@@ -148,8 +194,12 @@ def outline_edges(surface):
     return edges.GetOutput()
 
 
-def picture_of(actors, size, direction, up, zoom=1.):
-    """Renders the actors, seen from `direction`, into an RGB array."""
+def picture_of(actors, size, direction, up, bounds=None):
+    """
+    Renders the actors, seen from `direction`, so that `bounds` (VTK's six
+    numbers; without them what is seen) fill the picture. Returns an RGB array
+    and the length that a pixel stands for.
+    """
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(1, 1, 1)
     for actor in actors:
@@ -160,7 +210,7 @@ def picture_of(actors, size, direction, up, zoom=1.):
     window.SetSize(*size)
     window.AddRenderer(renderer)
 
-    bounds = np.array(renderer.ComputeVisiblePropBounds()).reshape(3, 2)
+    bounds = np.array(bounds if bounds is not None else renderer.ComputeVisiblePropBounds()).reshape(3, 2)
     centre = bounds.mean(axis=1)
     radius = 0.5 * np.linalg.norm(bounds[:, 1] - bounds[:, 0])
     camera = renderer.GetActiveCamera()
@@ -177,8 +227,8 @@ def picture_of(actors, size, direction, up, zoom=1.):
     corners = np.array([[bounds[0][i], bounds[1][j], bounds[2][k]]
                         for i in (0, 1) for j in (0, 1) for k in (0, 1)]) - centre
     width, height = np.ptp(corners @ right), np.ptp(corners @ upward)
-    camera.SetParallelScale(
-        0.5 * max(height, width * size[1] / size[0]) * 1.06 / zoom)
+    scale = 0.5 * max(height, width * size[1] / size[0]) * 1.06
+    camera.SetParallelScale(scale)
     renderer.ResetCameraClippingRange()
     window.Render()
 
@@ -186,6 +236,6 @@ def picture_of(actors, size, direction, up, zoom=1.):
     to_image.SetInput(window)
     to_image.ReadFrontBufferOff()
     to_image.Update()
-    image = to_image.GetOutput()
-    pixels = vtk_to_numpy(image.GetPointData().GetScalars())
-    return pixels.reshape(size[1], size[0], -1)[::-1, :, :3]
+    pixels = vtk_to_numpy(to_image.GetOutput().GetPointData().GetScalars()).copy()
+    window.Finalize()
+    return pixels.reshape(size[1], size[0], -1)[::-1, :, :3], 2. * scale / size[1]
