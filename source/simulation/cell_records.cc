@@ -1,5 +1,7 @@
 #include <stickslip/simulation/cell_records.h>
 
+#include <stickslip/base/mixed_bits.h>
+
 #include <cerrno>
 #include <cstring>
 
@@ -9,7 +11,7 @@ namespace stickslip
   {
     /// "sslipchk" as a number: a file of another byte order does not have it.
     constexpr std::uint64_t cell_record_magic  = 0x7373'6c69'7063'686bull;
-    constexpr std::uint64_t cell_record_format = 2;
+    constexpr std::uint64_t cell_record_format = 3;
 
     /// magic, format, identity
     constexpr unsigned int n_head_words = 3;
@@ -48,9 +50,7 @@ namespace stickslip
     std::uint64_t hash  = 0xcbf29ce484222325ull;
     for (std::size_t i = 0; i < size; ++i)
       hash = (hash ^ bytes[i]) * 0x100000001b3ull;
-    hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9ull;
-    hash = (hash ^ (hash >> 27)) * 0x94d049bb133111ebull;
-    return hash ^ (hash >> 31);
+    return mixed_bits(hash);
   }
 
 

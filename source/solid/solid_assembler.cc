@@ -21,8 +21,14 @@ namespace stickslip
     , bodies(bodies)
     , laws(laws)
     , mean_dilatation(laws.size())
-    , history_fields(laws, dim)
     , quadrature(dof_handler.get_fe().degree + 1)
+    , material_states(mapping,
+                      dof_handler,
+                      quadrature,
+                      bodies,
+                      this->laws,
+                      mean_dilatation,
+                      history)
     , surface_loads(mapping, dof_handler.get_fe(), boundary_conditions.loads())
     , viscous(dof_handler)
     , largest_modulus(0.)
@@ -352,6 +358,27 @@ namespace stickslip
     const types::material_id material) const
   {
     return laws[material] ? laws[material]->longitudinal_modulus() : 0.;
+  }
+
+
+
+  template <int dim>
+  double
+  SolidAssembler<dim>::stabilization_work(const LA::Vector &u)
+  {
+    if (!viscous.is_active())
+      return 0.;
+    double work = 0.;
+    for (const CellIterator &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned() && !is_rigid(cell))
+        {
+          begin_cell(cell, u);
+          work += viscous.work(fe_values,
+                               dof_indices,
+                               longitudinal_modulus(cell->material_id()),
+                               element);
+        }
+    return Utilities::MPI::sum(work, dof_handler.get_communicator());
   }
 
 

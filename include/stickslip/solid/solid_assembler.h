@@ -9,9 +9,9 @@
 #include <stickslip/solid/cell_deformation.h>
 #include <stickslip/solid/cell_kernel.h>
 #include <stickslip/solid/constitutive_law.h>
-#include <stickslip/solid/history_fields.h>
 #include <stickslip/solid/inadmissible_point.h>
 #include <stickslip/solid/linear_stiffness.h>
+#include <stickslip/solid/material_states.h>
 #include <stickslip/solid/mean_dilatation.h>
 #include <stickslip/solid/point_history.h>
 #include <stickslip/solid/surface_loads.h>
@@ -46,17 +46,7 @@ namespace stickslip
   class SolidAssembler
   {
   public:
-    /// Stress and strain at one quadrature point, for output.
-    struct PointState
-    {
-      Point<dim>            reference_position;
-      double                JxW; ///< reference volume
-      SymmetricTensor<2, 3> cauchy_stress;
-      SymmetricTensor<2, 3> strain; ///< as the law defines it
-
-      /// In the order of history_names(); 0 for those of other laws.
-      std::vector<double> history;
-    };
+    using PointState = MaterialState<dim>;
 
     /**
      * @p laws is indexed by material id (see laws_of_regions()), as is
@@ -120,15 +110,15 @@ namespace stickslip
     void
     restore();
 
-    /**
-     * Stress and strain at the quadrature points of a locally owned cell, with
-     * the accepted history. Leaves @p states empty on cells of rigid bodies.
-     */
+    /// Stress, strain and history of a cell; see MaterialStates::evaluate().
     void
     evaluate_point_states(
       const typename DoFHandler<dim>::active_cell_iterator &cell,
       const LA::Vector                                     &u,
-      std::vector<PointState>                              &states);
+      std::vector<PointState>                              &states)
+    {
+      material_states.evaluate(cell, u, states);
+    }
 
     /// Off until it is activated.
     ViscousStabilization<dim> &
@@ -146,7 +136,7 @@ namespace stickslip
     const std::vector<std::string> &
     history_names() const
     {
-      return history_fields.names();
+      return material_states.history_names();
     }
 
     /// lambda + 2 mu at rest; zero for a region of a rigid body without law.
@@ -233,10 +223,9 @@ namespace stickslip
     /// By material id; empty where the dilatation is that of the point.
     std::vector<std::optional<MeanDilatation<dim>>> mean_dilatation;
 
-    const HistoryFields history_fields;
-
     const QGauss<dim>         quadrature;
     PointHistory              history;
+    MaterialStates<dim>       material_states;
     SurfaceLoads<dim>         surface_loads;
     ViscousStabilization<dim> viscous;
     double                    largest_modulus;

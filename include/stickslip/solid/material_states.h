@@ -1,0 +1,107 @@
+#ifndef stickslip_solid_material_states_h
+#define stickslip_solid_material_states_h
+
+#include <stickslip/base/types.h>
+
+#include <stickslip/mesh/body.h>
+
+#include <stickslip/solid/cell_deformation.h>
+#include <stickslip/solid/cell_kernel.h>
+#include <stickslip/solid/constitutive_law.h>
+#include <stickslip/solid/history_fields.h>
+#include <stickslip/solid/mean_dilatation.h>
+#include <stickslip/solid/point_history.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/quadrature.h>
+#include <deal.II/base/symmetric_tensor.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace stickslip
+{
+  /// Stress, strain and history at one quadrature point.
+  template <int dim>
+  struct MaterialState
+  {
+    Point<dim>            reference_position;
+    double                JxW; ///< reference volume
+    SymmetricTensor<2, 3> cauchy_stress;
+    SymmetricTensor<2, 3> strain; ///< as the law defines it
+
+    /// In the order of MaterialStates::history_names(); 0 for those of other
+    /// laws.
+    std::vector<double> history;
+  };
+
+
+
+  /**
+   * The material states of a cell, for output: evaluated with the accepted
+   * history, of which they change nothing. Not collective.
+   */
+  template <int dim>
+  class MaterialStates
+  {
+  public:
+    /**
+     * @p laws and @p mean_dilatation are indexed by material id. Keeps
+     * references to everything.
+     */
+    MaterialStates(
+      const Mapping<dim>                                        &mapping,
+      const DoFHandler<dim>                                     &dof_handler,
+      const Quadrature<dim>                                     &quadrature,
+      const Bodies                                              &bodies,
+      const std::vector<std::shared_ptr<const ConstitutiveLaw>> &laws,
+      const std::vector<std::optional<MeanDilatation<dim>>> &mean_dilatation,
+      const PointHistory                                    &history);
+
+    /**
+     * At the quadrature points of the locally owned @p cell, with the ghosted
+     * displacement @p u. Leaves @p states empty on cells of rigid bodies and
+     * where the mean dilatation has no volume; a state that the law has no
+     * answer for is zero.
+     */
+    void
+    evaluate(const typename DoFHandler<dim>::active_cell_iterator &cell,
+             const LA::Vector                                     &u,
+             std::vector<MaterialState<dim>>                      &states);
+
+    /// Names of MaterialState::history.
+    const std::vector<std::string> &
+    history_names() const
+    {
+      return history_fields.names();
+    }
+
+  private:
+    MaterialState<dim>
+    state_at(const unsigned int       q,
+             const unsigned int       cell_index,
+             const types::material_id material);
+
+    const Bodies                                              &bodies;
+    const std::vector<std::shared_ptr<const ConstitutiveLaw>> &laws;
+    const std::vector<std::optional<MeanDilatation<dim>>>     &mean_dilatation;
+    const PointHistory                                        &history;
+
+    const HistoryFields history_fields;
+
+    // Scratch of a cell.
+    FEValues<dim>                        fe_values;
+    ElementArrays<dim>                   element;
+    CellDeformation<dim>                 deformation;
+    std::vector<types::global_dof_index> dof_indices;
+  };
+} // namespace stickslip
+
+#endif
