@@ -1,6 +1,7 @@
+#include <stickslip/strategy/line_search.h>
+
 #include <stickslip/base/no_convergence.h>
 
-#include <stickslip/strategy/line_search.h>
 #include <stickslip/strategy/residual_monitors.h>
 
 #include <cmath>

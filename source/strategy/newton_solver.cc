@@ -1,7 +1,8 @@
+#include <stickslip/strategy/newton_solver.h>
+
 #include <stickslip/strategy/convergence_criterion.h>
 #include <stickslip/strategy/forcing_term.h>
 #include <stickslip/strategy/line_search.h>
-#include <stickslip/strategy/newton_solver.h>
 #include <stickslip/strategy/residual_monitors.h>
 
 #include <sstream>
