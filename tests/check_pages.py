@@ -8,8 +8,8 @@ Checked: lines of text have at most 120 characters (not those of tables, code,
 formulas, and what cannot be broken); links lead to files that exist, and to a
 heading if they name one; the tables of doc/architecture.md, section 1, name
 every file of the program in its folder, and no other; that of section 2 says
-what check_includes.py allows. doc/parameters.md, which the program writes, need
-not keep the length.
+what check_includes.py allows, and classes and functions that the page names
+exist. doc/parameters.md, which the program writes, need not keep the length.
 """
 import pathlib
 import re
@@ -109,6 +109,17 @@ def check_arrows(root, allowed):
             yield f"doc/architecture.md: section 2 is not what tests/check_includes.py allows {folder}/"
 
 
+def check_names(root):
+    """Classes and functions that the architecture names."""
+    page = re.sub(r"\s*\n\s*", " ", (root / "doc/architecture.md").read_text())
+    files = [file for top in ("include", "source", "tests", "scripts") for file in (root / top).rglob("*") if file.is_file()]
+    words = {part for file in files for part in (file.stem, *file.parts)} | {word for file in files for word in re.findall(rb"\w+", file.read_bytes())}
+    for span in sorted(set(re.findall(r"`([A-Za-z_][A-Za-z_0-9:]*(?:\(\w*\))?)`", page))):
+        for word in re.findall(r"[A-Za-z_]\w*", span):
+            if word not in words and word.encode() not in words:
+                yield f"doc/architecture.md: `{span}` is nowhere in the source"
+
+
 def violations(root, allowed):
     pages = [path for path in sorted(root.rglob("*.md"))
              if not path.relative_to(root).parts[0].startswith(("build", "."))]
@@ -120,13 +131,14 @@ def violations(root, allowed):
         yield from check_links(root, path, text)
     yield from check_architecture(root)
     yield from check_arrows(root, allowed)
+    yield from check_names(root)
 
 
 def self_test():
     good = {
         "README.md": "# A\n\nSee [b](doc/architecture.md#1-the-house) and [c](https://x.y/z).\n\n| " + "x " * 99 + "|\n\n"
                      "    " + "code " * 40 + "\n\n$$\n" + "x + " * 50 + "\n$$\n\n```\n" + "y " * 80 + "\n```\n",
-        "doc/architecture.md": "## 1. The house\n\n**base/**: words\n\n| file | concept |\n|---|---|\n| `types`, `choice` | `no_file` |\n\n"
+        "doc/architecture.md": "## 1. The house\n\n**base/**: words\n\n| file | concept |\n|---|---|\n| `types`, `choice` | `law` |\n\n"
                                "**contact/point/**: points\n\n| file | concept |\n|---|---|\n| `law.h` | law |\n\n## 2. Arrows\n\n| `base` | deal.II |\n| `contact/point` | `base` |\n",
         "doc/parameters.md": "word " * 40 + "\n",
         "include/stickslip/base/types.h": "",
@@ -145,6 +157,7 @@ def self_test():
         "folder without a table": ("source/mesh/a.cc", "", "the table of mesh/ lacks `a`"),
         "line without a file": ("doc/architecture.md", house.replace("`types`", "`types`, `gone`"), "has `gone`, which does not exist"),
         "file in another folder": ("doc/architecture.md", house.replace("`choice`", "`law`"), "the table of base/ has `law`"),
+        "class of the past": ("doc/architecture.md", house + "`Law::evaluate()`\n", "`Law::evaluate()` is nowhere"),
         "arrow too many": ("doc/architecture.md", house.replace("deal.II", "`contact/point`"), "allows base/"),
         "arrow too few": ("doc/architecture.md", house.replace("| `base` |\n", "| |\n"), "allows contact/point/"),
         "folder without arrows": ("doc/architecture.md", house.replace("| `base` | deal.II |\n", ""), "allows base/"),

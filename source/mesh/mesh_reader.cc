@@ -7,6 +7,8 @@
 
 #include <deal.II/grid/grid_in.h>
 
+#include <boost/serialization/utility.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>

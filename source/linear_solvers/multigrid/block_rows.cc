@@ -2,6 +2,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <boost/serialization/utility.hpp>
+
 #include <algorithm>
 #include <iterator>
 #include <map>
