@@ -1,4 +1,4 @@
-"""The plate as a user meets it: default line search, cures and ladder; any r_n and r_t, any units, any friction."""
+"""The plate as a user meets it: default line search, cycle treatment and fallback sequence; any r_n and r_t, any units, any friction."""
 
 # Plain numbers, r_n [N/mm^3] and r_t [1/mm]: 1e2 .. 1e15 Pa/m and 1 .. 1e8 1/m.
 R_N = [1e-7 * 10 ** (2.6 * i) for i in range(6)]
@@ -19,7 +19,7 @@ def compare_plain_numbers(benchmark, run_all, displacements, known):
     scale = "Contact/base/Regularization/"
     names = ("GNM", "automatic") if benchmark.quick else ("GNM", "PNM", "FPM", "automatic")
     step = 2 if benchmark.quick else 1
-    print("\nPlain numbers with cures: Newton iterations, r_n downwards, r_t to the right")
+    print("\nPlain numbers with cycle treatment: Newton iterations, r_n downwards, r_t to the right")
     rows = []
     for name in names:
         results = run_all({
