@@ -110,6 +110,24 @@ class Parameters:
         return [path for path in dict.fromkeys([*self.values, *other.values])
                 if not path.startswith(("Output/Directory", "Title")) and shown(self, path) != shown(other, path)]
 
+    def text(self):
+        """All values as a .prm file."""
+        lines = []
+
+        def write(section, indent):
+            start = "/".join(section) + "/" if section else ""
+            for path, value in self.values.items():
+                if path.startswith(start) and "/" not in path[len(start):]:
+                    lines.append(f"{indent}set {path[len(start):]} = {value}")
+            for name in self.sections("/".join(section)) if section else dict.fromkeys(
+                    path.split("/")[0] for path in self.values if "/" in path):
+                lines.append(f"{indent}subsection {name}")
+                write([*section, name], indent + "  ")
+                lines.append(indent + "end")
+
+        write([], "")
+        return "\n".join(lines) + "\n"
+
     # ------------------------------------------------------------------ words
     def described(self, path, leave_out=()):
         """'name value, name value' of what a section sets."""

@@ -143,7 +143,7 @@ class Run:
             raise ResultsError(f"'{directory}' is not a directory.")
         self.log = Log(self.directory / "convergence.log")
         for name in ("statistics", "resultants", "reactions", "points"):
-            setattr(self, name, self._table(f"{name}.csv"))
+            setattr(self, name, self.table(f"{name}.csv"))
         self.bodies = FieldSeries(self.directory, "solution")
         self.contact = FieldSeries(self.directory, "contact")
         if not (self.log.exists or self.statistics or self.bodies.steps):
@@ -151,7 +151,7 @@ class Run:
                                "nor statistics.csv nor solution.pvd.")
         self.parameters = self._parameters(case)
 
-    def _table(self, name):
+    def table(self, name):
         """Columns without rows that are not written to their end; {} if there is nothing."""
         path = self.directory / name
         if not path.exists() or path.stat().st_size == 0:
