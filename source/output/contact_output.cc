@@ -49,13 +49,13 @@ namespace stickslip
       static Patch
       make_patch(const ContactFaceResult<dim> &face, const bool deformed);
 
-      virtual const std::vector<Patch> &
+      const std::vector<Patch> &
       get_patches() const override
       {
         return patches;
       }
 
-      virtual std::vector<std::string>
+      std::vector<std::string>
       get_dataset_names() const override
       {
         std::vector<std::string> names;
@@ -67,7 +67,7 @@ namespace stickslip
         return names;
       }
 
-      virtual std::vector<
+      std::vector<
         std::tuple<unsigned int,
                    unsigned int,
                    std::string,

@@ -73,13 +73,13 @@ namespace stickslip
       }
 
     private:
-      virtual const std::vector<Patch> &
+      const std::vector<Patch> &
       get_patches() const override
       {
         return patches;
       }
 
-      virtual std::vector<std::string>
+      std::vector<std::string>
       get_dataset_names() const override
       {
         return {scalar_names.begin(), scalar_names.end()};

@@ -62,7 +62,7 @@ namespace stickslip
                    std::string,
                    DataComponentInterpretation::DataComponentInterpretation>;
 
-      virtual std::vector<Range>
+      std::vector<Range>
       get_nonscalar_data_ranges() const override
       {
         std::vector<Range> ranges = DataOut<dim>::get_nonscalar_data_ranges();

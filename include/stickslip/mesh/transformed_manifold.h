@@ -56,28 +56,28 @@ namespace stickslip
     TransformedManifold(std::unique_ptr<Manifold<dim, dim>> original,
                         const AffineMap<dim>               &map);
 
-    virtual std::unique_ptr<Manifold<dim, dim>>
+    std::unique_ptr<Manifold<dim, dim>>
     clone() const override;
 
-    virtual Point<dim>
+    Point<dim>
     get_intermediate_point(const Point<dim> &p1,
                            const Point<dim> &p2,
                            const double      w) const override;
 
-    virtual Point<dim>
+    Point<dim>
     get_new_point(const ArrayView<const Point<dim>> &surrounding_points,
                   const ArrayView<const double>     &weights) const override;
 
-    virtual void
+    void
     get_new_points(const ArrayView<const Point<dim>> &surrounding_points,
                    const Table<2, double>            &weights,
                    ArrayView<Point<dim>> new_points) const override;
 
-    virtual Point<dim>
+    Point<dim>
     project_to_manifold(const ArrayView<const Point<dim>> &surrounding_points,
                         const Point<dim> &candidate) const override;
 
-    virtual Tensor<1, dim>
+    Tensor<1, dim>
     get_tangent_vector(const Point<dim> &x1,
                        const Point<dim> &x2) const override;
 
