@@ -40,6 +40,7 @@ NAMES_OF_HEADERS = {
     "memory": "dynamic_pointer_cast enable_shared_from_this make_shared make_unique shared_ptr static_pointer_cast unique_ptr"
               " weak_ptr",
     "mutex": "lock_guard mutex",
+    "new": "bad_alloc nothrow",
     "numeric": "accumulate gcd inner_product iota partial_sum",
     "optional": "make_optional nullopt optional",
     "ostream iostream sstream fstream": "endl flush",

@@ -5,6 +5,8 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <string>
 
 namespace stickslip
 {
@@ -13,7 +15,9 @@ namespace stickslip
     /// Relative residual of a solve above which the matrix counts as singular.
     constexpr double singular_residual = 1e-6;
 
-    const char *const singular_text =
+    const std::string name = "Linear solver (MUMPS)";
+
+    const std::string singular_text =
       "the matrix is singular. A body is held by no boundary condition and by "
       "no closed contact, or the multipliers of a slave node are constrained "
       "twice";
@@ -35,7 +39,7 @@ namespace stickslip
 
 
   DirectSolver::DirectSolver()
-    : control(1, 0.)
+    : factorization(DirectLibrary::mumps)
   {}
 
 
@@ -125,20 +129,9 @@ namespace stickslip
   {
     const MPI_Comm communicator = matrix.block(0, 0).get_mpi_communicator();
     number_rows(matrix, communicator);
-    factorization.reset();
+    factorization.clear();
     copy_blocks(matrix, communicator);
-    factorization = std::make_unique<LA::DirectSolver>(
-      control, LA::DirectSolver::AdditionalData(false, "Amesos_Mumps"));
-    try
-      {
-        factorization->initialize(merged);
-      }
-    catch (const ExceptionBase &)
-      {
-        throw NoConvergence("Linear solver (MUMPS)",
-                            singular_text,
-                            FailureCause::singular);
-      }
+    throw_if_failed(factorization.factorise(merged), name, singular_text);
   }
 
 
@@ -169,16 +162,9 @@ namespace stickslip
     double error       = scale > 0. ? 1. : 0.;
     for (unsigned int pass = 0; pass < 3 && scale > 0.; ++pass)
       {
-        try
-          {
-            factorization->solve(correction, residual);
-          }
-        catch (const ExceptionBase &)
-          {
-            throw NoConvergence("Linear solver (MUMPS)",
-                                singular_text,
-                                FailureCause::singular);
-          }
+        throw_if_failed(factorization.solve(correction, residual),
+                        name,
+                        singular_text);
         solution += correction;
         merged.residual(residual, solution, rhs);
         const double new_error = residual.l2_norm() / scale;
@@ -188,9 +174,7 @@ namespace stickslip
           break;
       }
     if (!(error < singular_residual))
-      throw NoConvergence("Linear solver (MUMPS)",
-                          singular_text,
-                          FailureCause::singular);
+      throw NoConvergence(name, singular_text, FailureCause::singular);
 
     for_each_entry([&](const unsigned int block, const auto i, const auto j) {
       x.block(block)(i) = solution(j);

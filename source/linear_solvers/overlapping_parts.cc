@@ -5,11 +5,12 @@
 #include <deal.II/base/mpi.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/sparse_matrix.h>
 #include <deal.II/lac/sparsity_pattern.h>
 #include <deal.II/lac/sparsity_tools.h>
 
 #include <algorithm>
+#include <new>
+#include <utility>
 
 namespace stickslip
 {
@@ -66,7 +67,7 @@ namespace stickslip
 
 
 
-  void
+  FactorizationError
   OverlappingParts::factorise(const LA::SparseMatrix  &matrix,
                               const std::vector<bool> &is_multiplier,
                               const bool               new_pattern)
@@ -74,25 +75,25 @@ namespace stickslip
     parts.clear();
     const Rows                rows = see_rows(matrix, is_multiplier);
     std::vector<unsigned int> place(space.n_local(), outside);
-    bool                      failed = false;
+    FactorizationError        error;
     try
       {
         if (new_pattern)
           choose_parts(matrix);
         start_parts();
-        for (Part &part : parts)
+        for (auto part = parts.begin(); part != parts.end() && !error; ++part)
           {
-            add_surroundings(rows, place, part);
-            factorise_part(rows, place, part);
+            add_surroundings(rows, place, *part);
+            error = factorise_part(rows, place, *part);
           }
       }
-    catch (const ExceptionBase &)
+    catch (const std::bad_alloc &)
       {
-        failed = true;
+        error.library = DirectLibrary::umfpack;
+        error.kind    = FactorizationError::Kind::out_of_memory;
       }
     // all ranks leave together
-    AssertThrow(Utilities::MPI::max(failed ? 1 : 0, space.communicator()) == 0,
-                ExcMessage("A part of the zone is singular."));
+    return worst_of(error, space.communicator());
   }
 
 
@@ -208,36 +209,36 @@ namespace stickslip
 
 
 
-  void
+  FactorizationError
   OverlappingParts::factorise_part(const Rows                &rows,
                                    std::vector<unsigned int> &place,
                                    Part                      &part) const
   {
-    const unsigned int n = part.rows.size();
-    for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int i = 0; i < part.rows.size(); ++i)
       place[part.rows[i]] = i;
-    const auto visit_row = [&](const unsigned int i, const auto &visitor) {
-      rows.visit(part.rows[i],
-                 [&](const unsigned int column, const double value) {
-                   if (column != outside && place[column] != outside)
-                     visitor(place[column], value);
-                 });
-    };
-    DynamicSparsityPattern entries(n, n);
-    for (unsigned int i = 0; i < n; ++i)
-      visit_row(i,
-                [&](const unsigned int j, const double) { entries.add(i, j); });
-    SparsityPattern pattern;
-    pattern.copy_from(entries);
-    SparseMatrix<double> matrix(pattern);
-    for (unsigned int i = 0; i < n; ++i)
-      visit_row(i, [&](const unsigned int j, const double value) {
-        matrix.set(i, j, value);
-      });
+    std::vector<long>                    begins(1, 0), columns;
+    std::vector<double>                  values;
+    std::vector<std::pair<long, double>> entries;
+    for (const unsigned int row : part.rows)
+      {
+        entries.clear();
+        rows.visit(row, [&](const unsigned int column, const double value) {
+          if (column != outside && place[column] != outside)
+            entries.emplace_back(place[column], value);
+        });
+        std::sort(entries.begin(), entries.end());
+        for (const auto &[column, value] : entries)
+          {
+            columns.push_back(column);
+            values.push_back(value);
+          }
+        begins.push_back(columns.size());
+      }
     for (const unsigned int row : part.rows)
       place[row] = outside;
-    part.factors = std::make_unique<SparseDirectUMFPACK>();
-    part.factors->initialize(matrix);
+    return part.factors.factorise(std::move(begins),
+                                  std::move(columns),
+                                  std::move(values));
   }
 
 
@@ -248,16 +249,17 @@ namespace stickslip
     std::vector<double> values(b.begin(), b.end());
     values.resize(space.n_local());
     space.update_ghosts(values);
-    double *const  solution = x.begin();
-    Vector<double> local;
+    double *const       solution = x.begin();
+    std::vector<double> local_x, local_b;
     for (const Part &part : parts)
       {
-        local.reinit(part.rows.size(), true);
-        for (unsigned int i = 0; i < part.rows.size(); ++i)
-          local(i) = values[part.rows[i]];
-        part.factors->solve(local);
+        local_b.clear();
+        for (const unsigned int row : part.rows)
+          local_b.push_back(values[row]);
+        const FactorizationError error = part.factors.solve(local_x, local_b);
+        AssertThrow(!error, ExcMessage(describe(error)));
         for (unsigned int i = 0; i < part.n_own; ++i)
-          solution[part.rows[i]] = local(i);
+          solution[part.rows[i]] = local_x[i];
       }
   }
 } // namespace stickslip

@@ -2,11 +2,12 @@
 
 #include <stickslip/base/no_convergence.h>
 
+#include <stickslip/linear_solvers/factorization/distributed_factorization.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <string>
 
 namespace stickslip
@@ -26,22 +27,10 @@ namespace stickslip
                    const LA::BlockVector       &rhs)
         : matrix(matrix)
         , rhs(rhs)
-        , factorization(control,
-                        LA::DirectSolver::AdditionalData(false, "Amesos_Mumps"))
+        , factorization(DirectLibrary::mumps)
         , force(rhs.block(0))
       {
-        try
-          {
-            factorization.initialize(matrix.block(0, 0));
-          }
-        catch (const ExceptionBase &)
-          {
-            throw NoConvergence(solver_name,
-                                "the stiffness of the bodies alone is "
-                                "singular; 'Algorithm/Name = GCP' needs bodies "
-                                "that are held without contact",
-                                FailureCause::singular);
-          }
+        check(factorization.factorise(matrix.block(0, 0)));
       }
 
       /// K du = r_u - B^T dy.
@@ -75,14 +64,23 @@ namespace stickslip
     private:
       const LA::BlockSparseMatrix &matrix;
       const LA::BlockVector       &rhs;
-      SolverControl                control;
-      LA::DirectSolver             factorization;
+      DistributedFactorization     factorization;
       LA::Vector                   force;
+
+      static void
+      check(const FactorizationError &error)
+      {
+        throw_if_failed(error,
+                        solver_name,
+                        "the stiffness of the bodies alone is singular; "
+                        "'Algorithm/Name = GCP' needs bodies that are held "
+                        "without contact");
+      }
 
       void
       invert(LA::Vector &du)
       {
-        factorization.solve(du, force);
+        check(factorization.solve(du, force));
         ++n_solves;
       }
     };

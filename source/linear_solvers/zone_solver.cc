@@ -5,26 +5,20 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <string>
 
 namespace stickslip
 {
   namespace
   {
-    /// Says what the library's error means.
-    template <typename Action>
+    /// Throws NoConvergence if there is an error.
     void
-    or_singular(const Action &action)
+    check(const FactorizationError &error)
     {
-      try
-        {
-          action();
-        }
-      catch (const ExceptionBase &)
-        {
-          throw NoConvergence("Linear solver (block AMG, contact zone)",
-                              "the matrix of the zone is singular",
-                              FailureCause::singular);
-        }
+      throw_if_failed(error,
+                      "Linear solver (block AMG, contact zone)",
+                      "the matrix of the zone is singular");
     }
   } // namespace
 
@@ -33,7 +27,7 @@ namespace stickslip
   ZoneSolver::ZoneSolver(const unsigned int largest)
     : largest(largest)
     , first(0)
-    , control(1, 0.)
+    , factorization(DirectLibrary::mumps)
     , parts(largest)
   {}
 
@@ -165,7 +159,7 @@ namespace stickslip
   ZoneSolver::factorise(const LA::BlockSparseMatrix &matrix,
                         const bool                   new_layout)
   {
-    factorization.reset();
+    factorization.clear();
     parts.clear();
     if (new_layout)
       {
@@ -173,19 +167,15 @@ namespace stickslip
         make_pattern(matrix);
       }
     fill(matrix);
-    or_singular([&]() {
-      if (is_large())
-        {
-          std::vector<bool> is_multiplier;
-          for (const Row &row : rows)
-            is_multiplier.push_back(row.block == 1);
-          parts.factorise(zone, is_multiplier, new_layout);
-          return;
-        }
-      factorization = std::make_unique<LA::DirectSolver>(
-        control, LA::DirectSolver::AdditionalData(false, "Amesos_Mumps"));
-      factorization->initialize(zone);
-    });
+    if (!is_large())
+      {
+        check(factorization.factorise(zone));
+        return;
+      }
+    std::vector<bool> is_multiplier;
+    for (const Row &row : rows)
+      is_multiplier.push_back(row.block == 1);
+    check(parts.factorise(zone, is_multiplier, new_layout));
   }
 
 
@@ -200,7 +190,7 @@ namespace stickslip
     if (is_large())
       parts.solve(solution, rhs);
     else
-      or_singular([&]() { factorization->solve(solution, rhs); });
+      check(factorization.solve(solution, rhs));
     for (unsigned int k = 0; k < rows.size(); ++k)
       x.block(rows[k].block)(rows[k].index) += solution(first + k);
     x.compress(VectorOperation::add);

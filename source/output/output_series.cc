@@ -3,6 +3,7 @@
 #include <stickslip/base/user_error.h>
 
 #include <stickslip/output/output_directory.h>
+#include <stickslip/output/parallel_files.h>
 
 #include <deal.II/base/config.h>
 
@@ -11,10 +12,7 @@
 #include <deal.II/grid/reference_cell.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <limits>
@@ -62,44 +60,6 @@ namespace stickslip
                ? std::numeric_limits<double>::quiet_NaN()
                : std::stod(text.substr(start + key.size()));
     }
-
-    /**
-     * One file of the data of all ranks of @p communicator. Returns why that
-     * was not possible, or an empty string. Collective.
-     */
-    template <int dim, int spacedim>
-    std::string
-    write_piece(const DataOutInterface<dim, spacedim> &data,
-                const std::string                     &name,
-                const MPI_Comm                         communicator)
-    {
-      try
-        {
-          if (Utilities::MPI::n_mpi_processes(communicator) > 1)
-            data.write_vtu_in_parallel(name, communicator);
-          else
-            {
-              // the parallel way keeps the whole text in memory
-              errno = 0;
-              std::ofstream file(name);
-              data.write_vtu(file);
-              file.close();
-              AssertThrow(file, ExcIO());
-            }
-        }
-      catch (const StandardExceptions::ExcFileNotOpen &)
-        {
-          return "the file cannot be opened"; // on all ranks
-        }
-      catch (const StandardExceptions::ExcIO &)
-        {
-          return std::strerror(errno);
-        }
-      MPI_Barrier(communicator);
-      return "";
-    }
-
-
 
     constexpr char xdmf_grid_begin[] =
       "<Grid Name=\"mesh\" GridType=\"Uniform\"";
@@ -208,18 +168,8 @@ namespace stickslip
                                     static_cast<int>(rank),
                                     &group_communicator);
     AssertThrowMPI(ierr);
-    std::string reason = write_piece(data, piece + ".part", group_communicator);
-    const bool  is_first =
-      Utilities::MPI::this_mpi_process(group_communicator) == 0;
+    const std::string reason = write_vtu_file(data, piece, group_communicator);
     MPI_Comm_free(&group_communicator);
-
-    if (is_first && reason.empty())
-      {
-        std::error_code error;
-        std::filesystem::rename(piece + ".part", piece, error);
-        if (error)
-          reason = error.message();
-      }
     throw_collectively(reason.empty()
                          ? ""
                          : "Cannot write '" + piece + "': " + reason + ".",
@@ -262,11 +212,11 @@ namespace stickslip
                                     static_cast<int>(rank),
                                     &writers);
     AssertThrowMPI(ierr);
-    std::string description;
+    const std::string file = step_name + ".h5";
+    std::string       description, reason;
     if (has_cells)
       {
-        const std::string file = step_name + ".h5";
-        data.write_hdf5_parallel(filter, directory + file, writers);
+        reason = write_hdf5_file(data, filter, directory + file, writers);
         const XDMFEntry entry =
           data.create_xdmf_entry(filter, file, time, writers);
         if (Utilities::MPI::this_mpi_process(writers) == 0)
@@ -278,6 +228,10 @@ namespace stickslip
 #endif
         MPI_Comm_free(&writers);
       }
+    throw_collectively(reason.empty() ? ""
+                                      : "Cannot write '" + directory + file +
+                                          "': " + reason + ".",
+                       communicator);
 
     // Rank 0 keeps the index; without any cells there is nothing to describe.
     const unsigned int first_writer =

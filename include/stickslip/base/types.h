@@ -6,7 +6,6 @@
 #include <deal.II/lac/trilinos_block_sparse_matrix.h>
 #include <deal.II/lac/trilinos_index_access.h>
 #include <deal.II/lac/trilinos_parallel_block_vector.h>
-#include <deal.II/lac/trilinos_solver.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 #include <deal.II/lac/trilinos_vector.h>
@@ -31,8 +30,6 @@ namespace stickslip
     using BlockSparseMatrix    = TrilinosWrappers::BlockSparseMatrix;
     using SparsityPattern      = TrilinosWrappers::SparsityPattern;
     using BlockSparsityPattern = TrilinosWrappers::BlockSparsityPattern;
-    /// A factorization: initialize(matrix), then solve(x, b).
-    using DirectSolver = TrilinosWrappers::SolverDirect;
 
 
 

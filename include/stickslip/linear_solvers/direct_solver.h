@@ -1,11 +1,9 @@
 #ifndef stickslip_linear_solvers_direct_solver_h
 #define stickslip_linear_solvers_direct_solver_h
 
+#include <stickslip/linear_solvers/factorization/distributed_factorization.h>
 #include <stickslip/linear_solvers/linear_solver.h>
 
-#include <deal.II/lac/solver_control.h>
-
-#include <memory>
 #include <vector>
 
 namespace stickslip
@@ -42,10 +40,9 @@ namespace stickslip
                  const types::global_dof_index i) const;
     };
 
-    SolverControl                     control;
-    LA::SparseMatrix                  merged;
-    MergedNumbering                   numbering;
-    std::unique_ptr<LA::DirectSolver> factorization;
+    LA::SparseMatrix         merged;
+    MergedNumbering          numbering;
+    DistributedFactorization factorization;
 
     void
     number_rows(const LA::BlockSparseMatrix &matrix,

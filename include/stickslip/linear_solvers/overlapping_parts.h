@@ -1,11 +1,9 @@
 #ifndef stickslip_linear_solvers_overlapping_parts_h
 #define stickslip_linear_solvers_overlapping_parts_h
 
+#include <stickslip/linear_solvers/factorization/local_factorization.h>
 #include <stickslip/linear_solvers/multigrid/block_rows.h>
 
-#include <deal.II/lac/sparse_direct.h>
-
-#include <memory>
 #include <vector>
 
 namespace stickslip
@@ -33,10 +31,10 @@ namespace stickslip
 
     /**
      * @p is_multiplier, by owned row: which rows are those of multipliers.
-     * @p new_pattern: the parts are chosen anew. Throws ExceptionBase on all
-     * ranks if a part is singular. Collective.
+     * @p new_pattern: the parts are chosen anew. Returns the most
+     * severe error of all parts, the same on all ranks. Collective.
      */
-    void
+    [[nodiscard]] FactorizationError
     factorise(const LA::SparseMatrix  &matrix,
               const std::vector<bool> &is_multiplier,
               const bool               new_pattern);
@@ -50,8 +48,7 @@ namespace stickslip
     {
       std::vector<unsigned int> rows; ///< local ones, its own ones first
       unsigned int              n_own = 0;
-      /// not copyable
-      std::unique_ptr<SparseDirectUMFPACK> factors;
+      LocalFactorization        factors;
     };
 
     /// The rows that this rank sees, by local numbers.
@@ -83,7 +80,7 @@ namespace stickslip
                      std::vector<unsigned int> &place,
                      Part                      &part) const;
 
-    void
+    FactorizationError
     factorise_part(const Rows                &rows,
                    std::vector<unsigned int> &place,
                    Part                      &part) const;

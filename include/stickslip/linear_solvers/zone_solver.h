@@ -3,12 +3,10 @@
 
 #include <stickslip/base/block_system.h>
 
+#include <stickslip/linear_solvers/factorization/distributed_factorization.h>
 #include <stickslip/linear_solvers/overlapping_parts.h>
 
-#include <deal.II/lac/solver_control.h>
-
 #include <array>
-#include <memory>
 #include <vector>
 
 namespace stickslip
@@ -28,7 +26,8 @@ namespace stickslip
     explicit ZoneSolver(const unsigned int largest);
 
     /// Factorises the zone of @p matrix; the zone is determined anew only if
-    /// @p new_layout. Throws NoConvergence if it is singular. Collective.
+    /// @p new_layout. Throws NoConvergence if it cannot be factorised.
+    /// Collective.
     void
     factorise(const LA::BlockSparseMatrix &matrix, const bool new_layout);
 
@@ -52,15 +51,14 @@ namespace stickslip
       types::global_dof_index index;
     };
 
-    const unsigned int                largest;
-    std::vector<Row>                  rows;  ///< owned ones, in order
-    types::global_dof_index           first; ///< number of rows[0] in the zone
-    std::array<LA::Vector, 2>         numbers; ///< zone number + 1, ghosted
-    LA::SparseMatrix                  zone;
-    LA::Vector                        rhs, solution;
-    SolverControl                     control;
-    std::unique_ptr<LA::DirectSolver> factorization; ///< of the whole zone
-    OverlappingParts                  parts; ///< if it is larger than `largest`
+    const unsigned int        largest;
+    std::vector<Row>          rows;    ///< owned ones, in order
+    types::global_dof_index   first;   ///< number of rows[0] in the zone
+    std::array<LA::Vector, 2> numbers; ///< zone number + 1, ghosted
+    LA::SparseMatrix          zone;
+    LA::Vector                rhs, solution;
+    DistributedFactorization  factorization; ///< of the whole zone
+    OverlappingParts          parts;         ///< if it is larger than `largest`
 
     void
     number_rows(const LA::BlockSparseMatrix &matrix);

@@ -66,6 +66,8 @@ namespace stickslip
               const std::string                     &step_name,
               const unsigned int                     n_files) const;
 
+    /// Throws UserError on all ranks if the file cannot be written; if it fails
+    /// in the middle on several ranks, an exception that ends them all.
     template <int dim, int spacedim>
     void
     write_hdf5(const DataOutInterface<dim, spacedim> &data,

@@ -3,6 +3,7 @@
 #include <stickslip/linear_solvers/multigrid/galerkin_product.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 namespace stickslip
@@ -21,7 +22,7 @@ namespace stickslip
 
 
   SmoothedAggregation::SmoothedAggregation()
-    : control(1, 0.)
+    : coarsest_factors(DirectLibrary::klu)
   {}
 
 
@@ -30,7 +31,7 @@ namespace stickslip
   SmoothedAggregation::clear()
   {
     levels.clear();
-    coarsest_solver.reset();
+    coarsest_factors.clear();
     coarsest_matrix.clear();
   }
 
@@ -150,9 +151,9 @@ namespace stickslip
     coarsest_matrix.compress(VectorOperation::insert);
     coarsest_x.reinit(owned, space.communicator());
     coarsest_b.reinit(owned, space.communicator());
-    coarsest_solver = std::make_unique<LA::DirectSolver>(
-      control, LA::DirectSolver::AdditionalData(false, "Amesos_Klu"));
-    coarsest_solver->initialize(coarsest_matrix);
+    const FactorizationError error =
+      coarsest_factors.factorise(coarsest_matrix);
+    AssertThrow(!error, ExcMessage("coarsest level: " + describe(error)));
   }
 
 
@@ -165,7 +166,9 @@ namespace stickslip
     std::copy_n(level.b.begin(),
                 coarsest_b.locally_owned_size(),
                 coarsest_b.begin());
-    coarsest_solver->solve(coarsest_x, coarsest_b);
+    throw_if_failed(coarsest_factors.solve(coarsest_x, coarsest_b),
+                    "Linear solver (block AMG, coarsest level)",
+                    "its matrix is singular");
     std::copy(coarsest_x.begin(), coarsest_x.end(), level.x.begin());
   }
 

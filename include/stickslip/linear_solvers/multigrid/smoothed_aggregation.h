@@ -3,10 +3,13 @@
 
 #include <stickslip/base/types.h>
 
+#include <stickslip/linear_solvers/factorization/distributed_factorization.h>
 #include <stickslip/linear_solvers/multigrid/aggregation.h>
 #include <stickslip/linear_solvers/multigrid/block_gauss_seidel.h>
 
-#include <deal.II/lac/solver_control.h>
+#include <cstddef>
+#include <memory>
+#include <vector>
 
 #include <memory>
 #include <vector>
@@ -29,7 +32,7 @@ namespace stickslip
      * Makes the hierarchy of @p matrix. If @p prolongation has rows, they are
      * that to the second level, whose nodes are @p second; @p modes are those
      * of the first level that is coarsened by aggregation. Throws ExceptionBase
-     * if the coarsest matrix is singular. Collective.
+     * if the coarsest matrix cannot be factorised. Collective.
      */
     void
     reinit(BlockMatrix<double> &&matrix,
@@ -40,7 +43,8 @@ namespace stickslip
     void
     clear();
 
-    /// One cycle with a zero initial guess. Collective.
+    /// One cycle with a zero initial guess. Throws NoConvergence if the solve
+    /// on the coarsest level fails. Collective.
     void
     vmult(LA::Vector &x, const LA::Vector &b) const;
 
@@ -70,8 +74,7 @@ namespace stickslip
 
     std::vector<std::unique_ptr<Level>> levels;
     LA::SparseMatrix                    coarsest_matrix;
-    SolverControl                       control;
-    std::unique_ptr<LA::DirectSolver>   coarsest_solver;
+    DistributedFactorization            coarsest_factors;
     mutable LA::Vector                  coarsest_x, coarsest_b;
 
     /// Adds the level above the present coarsest one.
