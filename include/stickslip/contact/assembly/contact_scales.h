@@ -23,8 +23,8 @@ namespace stickslip
    * not depend on units or mesh: r_n = f_n k and r_t = f_t k / s with
    * k = 1/(h_s/M_s + h_m/M_m) and s the friction threshold at the point, at
    * least a hundredth of the largest one. They are constants for one Newton
-   * iteration and change nothing in the solution (formulation 3.3), so they
-   * may follow the pressure. Collective.
+   * iteration and change nothing in the solution (doc/theory.md, section 3), so
+   * they may follow the pressure. Collective.
    */
   template <int dim>
   void

@@ -50,8 +50,8 @@ namespace stickslip
   interpolate_multipliers(const ContactElement<dim> &element,
                           const std::vector<double> &nodal_values);
 
-  /// Weak form of the point times its weight (formulation 3.4). Overwrites
-  /// @p local, of size n_dofs().
+  /// Weak form of the point times its weight (doc/theory.md, section 5).
+  /// Overwrites @p local, of size n_dofs().
   template <int dim>
   void
   local_residual(const ContactElement<dim>    &element,

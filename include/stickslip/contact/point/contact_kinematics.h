@@ -74,7 +74,7 @@ namespace stickslip
 
   /**
    * Gap, slip increment and frame of a contact point, with derivatives with
-   * respect to the generalized coordinates (formulation 3.4).
+   * respect to the generalized coordinates (doc/theory.md, section 5).
    */
   template <int dim>
   struct ContactKinematics

@@ -75,7 +75,7 @@ namespace stickslip
     double r_t_law          = 1.;
 
     /// Above 2, points that slip against their traction satisfy the discrete
-    /// equations (formulation 3.3).
+    /// equations (doc/theory.md, section 3).
     double
     status_over_law() const
     {
@@ -86,8 +86,8 @@ namespace stickslip
 
 
   /**
-   * The six regularization parameters (formulation 3.3): factors of the
-   * automatic scales or of the paper's bounds, or plain numbers with units.
+   * The six regularization parameters (doc/theory.md, section 3): factors of
+   * the automatic scales or of the paper's bounds, or plain numbers with units.
    */
   struct RegularizationParameters
   {

@@ -24,7 +24,7 @@ namespace stickslip
    * Lagrange shape functions of a face of a FE_Q(degree) cell: tensor products
    * on [0,1]^(dim-1) with Gauss-Lobatto nodes in lexicographic order. They
    * describe positions, displacements and multipliers on slave and master
-   * faces alike (formulation, eqs. 14 and 15).
+   * faces alike (paper, eqs. 14 and 15).
    */
   template <int dim>
   class FaceShape

@@ -40,7 +40,7 @@ namespace stickslip
   /**
    * Geometry of a master face at one parametric point: position, tangents
    * a_alpha, second derivatives, unit normal into the master body and its
-   * derivatives along xi (formulation 3.4).
+   * derivatives along xi (doc/theory.md, section 5).
    */
   template <int dim>
   struct MasterPoint
