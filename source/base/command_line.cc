@@ -29,14 +29,6 @@ namespace stickslip
 
 
     bool
-    is_parameter_format(const std::string &text)
-    {
-      return text == "prm" || text == "json" || text == "markdown";
-    }
-
-
-
-    bool
     is_command_line_option(const std::string &argument)
     {
       return argument.size() > 1 && argument[0] == '-';
@@ -136,15 +128,16 @@ namespace stickslip
     void
     read_format(ArgumentReader &reader, CommandLine &command_line)
     {
-      const std::string word = reader.peek();
-      if (is_parameter_format(word))
-        command_line.format = reader.next();
+      const std::string              word  = reader.peek();
+      const std::vector<std::string> known = names_of(all_parameter_formats());
+      if (std::find(known.begin(), known.end(), word) != known.end())
+        command_line.format = value_of(reader.next(), all_parameter_formats());
       // A bare word that is not a format is not the name of a case either.
       else if (!word.empty() && !is_command_line_option(word) &&
                word.find_first_of("./") == std::string::npos)
         throw UserError("'--print-parameters': unknown format '" + word + "'." +
-                        did_you_mean(word, {"prm", "json", "markdown"}) +
-                        " Known: 'prm', 'json', 'markdown'.");
+                        did_you_mean(word, known) +
+                        " Known: " + quoted_list(known) + ".");
     }
 
 
@@ -251,9 +244,11 @@ Options:
   --validate                    check the parameter file and stop
   --diagnose DIRECTORY          tell how the run in this output directory went,
                                 why it stopped and what to try
-  --print-parameters [FORMAT]   print all parameters with their documentation;
+  --print-parameters [FORMAT]   print the parameters with their documentation;
                                 with case.prm its own, with their values;
-                                FORMAT: prm (default), json, markdown
+                                FORMAT: prm (default; expert parameters only
+                                where they are set), all (expert parameters,
+                                too), json, markdown
   --quiet                       print warnings and errors only
   --version                     print the version
   --help                        print this text

@@ -23,9 +23,10 @@ test(std::vector<const char *> arguments)
       const char *const actions[] = {
         "run", "help", "version", "print parameters", "validate", "diagnose"};
       std::cout << actions[static_cast<int>(line.action)] << " '"
-                << line.parameter_file << "' format " << line.format
-                << " output '" << line.output_directory << "' restart '"
-                << line.restart << "'" << (line.is_quiet ? " quiet" : "");
+                << line.parameter_file << "' format "
+                << name_of(line.format, all_parameter_formats()) << " output '"
+                << line.output_directory << "' restart '" << line.restart << "'"
+                << (line.is_quiet ? " quiet" : "");
       for (const std::string &text : line.overrides)
         std::cout << " [" << text << ']';
     }
@@ -46,6 +47,7 @@ main()
   test({"--validate", "case.prm"});
   test({"--print-parameters"});
   test({"--print-parameters", "json"});
+  test({"--print-parameters", "all", "case.prm"});
   test({"--print-parameters=markdown", "case.prm"});
   test({"--print-parameters", "case.prm", "--set", "A=b"});
   test({"--diagnose", "results"});

@@ -4,6 +4,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 
+#include <stickslip/base/expert_parameter.h>
 #include <stickslip/base/parameter_file.h>
 #include <stickslip/base/print_parameters.h>
 #include <stickslip/base/registry.h>
@@ -13,6 +14,7 @@
 #include <functional>
 #include <iostream>
 #include <memory>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -25,6 +27,8 @@ struct BodyParameters
   std::string generator = "hyper_cube";
   std::string arguments;
   double      scale = 1;
+  std::string shape = "round";
+  int         seed  = 0;
 
   void
   add_parameters(ParameterHandler &prm)
@@ -39,6 +43,14 @@ struct BodyParameters
                       scale,
                       "Multiplies all coordinates (a | b, <c>).",
                       Patterns::Double(0.));
+    prm.add_parameter("Shape",
+                      shape,
+                      "A description that is longer than the place that it has "
+                      "in a line, so that one place has to do.");
+    prm.add_parameter("Seed",
+                      seed,
+                      expert("Where the generator begins."),
+                      Patterns::Integer(0));
   }
 };
 
@@ -139,7 +151,8 @@ print(const TestParameters &parameters)
     out << ' ' << time;
   for (const auto &[name, body] : parameters.bodies)
     out << "\n  body '" << name << "': " << body.generator << "("
-        << body.arguments << "), scale " << body.scale;
+        << body.arguments << "), scale " << body.scale << ", seed "
+        << body.seed;
   say(out.str());
 }
 
@@ -294,25 +307,53 @@ test_printing()
 {
   TestParameters parameters;
   parameters.bodies.emplace_back("<body>", BodyParameters());
+  parameters.bodies.emplace_back("<other body>", BodyParameters());
   ParameterHandler prm;
   parameters.add_parameters(prm);
   prm.set("Dimension", "3");
+  prm.enter_subsection("Bodies");
+  prm.enter_subsection("<other body>");
+  prm.set("Seed", "7");
+  prm.leave_subsection();
+  prm.leave_subsection();
 
-  std::ostringstream text;
-  for (const std::string format : {"prm", "json", "markdown"})
+  std::map<ParameterFormat, std::string> printed;
+  for (const auto &[name, format] : all_parameter_formats())
     {
-      say("-- " + format);
       std::ostringstream out;
       print_parameters(out, prm, format);
-      say(out.str());
-      if (format == "prm")
-        text << out.str();
+      printed[format] = out.str();
+      say("-- " + name);
+      say(printed[format]);
     }
 
-  say("-- a printed file can be read");
-  TestParameters again;
-  apply(ParameterFile::from_string(text.str(), "all.prm"), again);
-  print(again);
+  for (const auto format : {ParameterFormat::users, ParameterFormat::all})
+    {
+      say("-- printed as '" + name_of(format, all_parameter_formats()) +
+          "' and read again");
+      TestParameters again;
+      apply(ParameterFile::from_string(printed[format], "printed.prm"), again);
+      print(again);
+    }
+}
+
+
+
+/// Messages know expert parameters as all others.
+void
+test_unknown_expert_parameter()
+{
+  TestParameters parameters;
+  expect_user_error("misspelt expert parameter", [&] {
+    apply(ParameterFile::from_string("subsection Bodies\n"
+                                     " subsection a\n"
+                                     "  set Generator = file\n"
+                                     "  set Sed = 1\n"
+                                     " end\n"
+                                     "end\n",
+                                     "case.prm"),
+          parameters);
+  });
 }
 
 int
@@ -325,4 +366,5 @@ main(int argc, char **argv)
   test_file_errors();
   test_wrong_entries();
   test_printing();
+  test_unknown_expert_parameter();
 }

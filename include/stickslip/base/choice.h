@@ -58,6 +58,19 @@ namespace stickslip
 
 
 
+  /// The names of @p choices, in their order.
+  template <typename Enum>
+  std::vector<std::string>
+  names_of(const Choices<Enum> &choices)
+  {
+    std::vector<std::string> names;
+    for (const auto &choice : choices)
+      names.push_back(choice.first);
+    return names;
+  }
+
+
+
   /**
    * Declares the entry @p name, which takes one of the names of @p choices; its
    * default is the present @p value. As with ParameterHandler::add_parameter,

@@ -1,6 +1,8 @@
 #ifndef stickslip_base_command_line_h
 #define stickslip_base_command_line_h
 
+#include <stickslip/base/print_parameters.h>
+
 #include <string>
 #include <vector>
 
@@ -32,8 +34,8 @@ namespace stickslip
     /// Continue from this checkpoint: a directory or "latest"; empty: start.
     std::string restart;
 
-    std::string format   = "prm"; ///< "prm", "json" or "markdown"
-    bool        is_quiet = false; ///< print warnings and errors only
+    ParameterFormat format   = ParameterFormat::users;
+    bool            is_quiet = false; ///< print warnings and errors only
   };
 
   /**

@@ -16,9 +16,10 @@ namespace stickslip
     std::string name;
     std::string value;
     std::string default_value;
-    std::string documentation;
+    std::string documentation;      ///< without the mark of expert()
     std::string pattern;            ///< as Patterns::PatternBase::description()
     bool        is_missing = false; ///< has to be set and is not
+    bool        is_expert  = false; ///< declared with expert()
 
     /// What the pattern allows, in words: "a number >= 0".
     std::string
