@@ -151,7 +151,7 @@ namespace
     if (!command_line.output_directory.empty())
       parameters.output.directory = command_line.output_directory;
     if (command_line.is_quiet)
-      parameters.output.verbosity = "quiet";
+      parameters.output.verbosity = Verbosity::quiet;
     return parameters.dimension == 2 ? run_case<2>(parameters, command_line)
                                      : run_case<3>(parameters, command_line);
   }

@@ -241,8 +241,7 @@ namespace stickslip
     triangulation.refine_global(parameters.refinements);
 
     const AffineMap<dim> map = body_motion<dim>(parameters, path);
-    if (parameters.keeps_manifolds)
-      collect_manifolds(map, *body);
+    collect_manifolds(map, *body);
     if (!map.is_identity())
       GridTools::transform(map, triangulation);
     check_cell_shapes(triangulation, path);

@@ -43,12 +43,12 @@ namespace stickslip
                       "Abaqus *SURFACE gets the number in its name as its id, "
                       "one without a number the next free number from 1, in "
                       "the order of the file.");
-    prm.add_parameter(
-      "Mesh format",
-      mesh_format,
-      "Format of the mesh file; automatic goes by the extension "
-      "(.msh, .inp, .vtk, .ucd) and, for .inp, the contents.",
-      Patterns::Selection("automatic|gmsh|abaqus|vtk|ucd"));
+    add_choice(prm,
+               "Mesh format",
+               mesh_format,
+               all_mesh_formats(),
+               "Format of the mesh file; automatic goes by the extension "
+               "(.msh, .inp, .vtk, .ucd) and, for .inp, the contents.");
     prm.add_parameter("Coordinates",
                       coordinates,
                       "New coordinates of the vertices, \"fx; fy\" or "
@@ -106,11 +106,6 @@ namespace stickslip
       is_rigid,
       "A rigid body: all its displacements are prescribed, zero "
       "unless a boundary condition moves it.");
-    prm.add_parameter("Keep manifolds",
-                      keeps_manifolds,
-                      "Curved boundaries of generated bodies stay curved in "
-                      "global refinement and in the geometry of "
-                      "higher-order elements.");
   }
 
 

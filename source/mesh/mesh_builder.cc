@@ -258,7 +258,6 @@ namespace stickslip
              const MPI_Comm                      communicator,
              const std::vector<CostlySurface>   &costly_surfaces)
   {
-    parameters.check("Mesh");
     if (body_parameters.empty())
       throw UserError(
         "Bodies: there is no body. Add a subsection to 'Bodies'.");
@@ -281,9 +280,9 @@ namespace stickslip
       find_periodic_boundaries<dim>(periodic_requests, mesh.bodies);
     check_periodicity(joined_mesh, mesh.periodic_boundaries, periodic_requests);
 
-    const auto distribute =
-      (parameters.partitioner == "METIS" ? distribute_with_metis<dim>
-                                         : distribute_with_p4est<dim>);
+    const auto distribute = (parameters.partitioner == Partitioner::metis
+                               ? distribute_with_metis<dim>
+                               : distribute_with_p4est<dim>);
     mesh.triangulation =
       distribute(joined_mesh,
                  mesh.periodic_boundaries,

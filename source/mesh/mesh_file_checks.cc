@@ -303,15 +303,22 @@ namespace stickslip
 
   std::string
   complaint_about_mesh_file(const std::string &contents,
-                            const std::string &format,
+                            const MeshFormat   format,
                             const unsigned int dim)
   {
-    if (format == "gmsh")
-      return complaint_about_gmsh_header(contents);
-    if (format == "abaqus")
-      return complaint_about_abaqus_elements(contents, dim);
-    if (format == "ucd")
-      return complaint_about_ucd_elements(contents, dim);
-    return complaint_about_vtk_elements(contents, dim);
+    switch (format)
+      {
+        case MeshFormat::gmsh:
+          return complaint_about_gmsh_header(contents);
+        case MeshFormat::abaqus:
+          return complaint_about_abaqus_elements(contents, dim);
+        case MeshFormat::ucd:
+          return complaint_about_ucd_elements(contents, dim);
+        case MeshFormat::vtk:
+          return complaint_about_vtk_elements(contents, dim);
+        case MeshFormat::automatic:
+          break;
+      }
+    throw dealii::ExcInternalError();
   }
 } // namespace stickslip

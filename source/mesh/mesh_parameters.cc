@@ -4,15 +4,26 @@
 
 namespace stickslip
 {
+  const Choices<Partitioner> &
+  all_partitioners()
+  {
+    static const Choices<Partitioner> choices = {{"p4est", Partitioner::p4est},
+                                                 {"METIS", Partitioner::metis}};
+    return choices;
+  }
+
+
+
   void
   MeshParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Partitioner",
-                      partitioner,
-                      "How cells are distributed: p4est (along a space-filling "
-                      "curve) or METIS "
-                      "(graph partitioning).",
-                      Patterns::Selection("p4est|METIS"));
+    add_choice(prm,
+               "Partitioner",
+               partitioner,
+               all_partitioners(),
+               "How cells are distributed: p4est (along a space-filling "
+               "curve) or METIS "
+               "(graph partitioning).");
     prm.add_parameter("Global refinements",
                       global_refinements,
                       "Uniform refinements of all bodies, after those of each "
@@ -23,17 +34,8 @@ namespace stickslip
                       "What a slave face costs, in cells: with several ranks "
                       "cells are distributed such that all have the same work. "
                       "0: only cells count. A run can be continued (--restart) "
-                      "with another weight, which distributes it anew.",
+                      "with another weight, which distributes it again.",
                       Patterns::Double(0., 1000.));
   }
 
-
-
-  void
-  MeshParameters::check(const std::string &path) const
-  {
-    if (partitioner != "p4est" && partitioner != "METIS")
-      throw UserError(path + "/Partitioner: '" + partitioner +
-                      "' is unknown. Known: p4est, METIS.");
-  }
 } // namespace stickslip

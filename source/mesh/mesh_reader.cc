@@ -70,21 +70,23 @@ namespace stickslip
 
 
     /// Abaqus and UCD share the extension inp; Abaqus keywords start with '*'.
-    std::string
+    MeshFormat
     detect_format(const std::string &file_name,
                   const std::string &contents,
                   const std::string &path)
     {
       const std::string extension = extension_of(file_name);
       if (extension == "msh")
-        return "gmsh";
-      if (extension == "vtk" || extension == "ucd")
-        return extension;
+        return MeshFormat::gmsh;
+      if (extension == "vtk")
+        return MeshFormat::vtk;
+      if (extension == "ucd")
+        return MeshFormat::ucd;
       if (extension == "inp")
         return (contents.compare(0, 1, "*") == 0 ||
                 contents.find("\n*") != std::string::npos)
-                 ? "abaqus"
-                 : "ucd";
+                 ? MeshFormat::abaqus
+                 : MeshFormat::ucd;
       throw UserError(path + "/Mesh format: cannot tell the format of '" +
                       file_name +
                       "' from its extension (known: msh, inp, vtk, ucd). Give "
@@ -149,19 +151,20 @@ namespace stickslip
     template <int dim>
     void
     parse_mesh(const std::string  &contents,
-               const std::string  &format,
+               const MeshFormat    format,
                Triangulation<dim> &triangulation)
     {
-      // Without an end, deal.II's Abaqus reader waits for it forever.
-      std::istringstream stream(
-        format == "abaqus" ? with_numbered_surfaces(contents) + "\n*END STEP\n"
-                           : contents + "\n");
-      GridIn<dim> grid_in(triangulation);
-      if (format == "gmsh")
+      // Without an end, deal.II's Abaqus reader waits for it indefinitely.
+      std::istringstream stream(format == MeshFormat::abaqus
+                                  ? with_numbered_surfaces(contents) +
+                                      "\n*END STEP\n"
+                                  : contents + "\n");
+      GridIn<dim>        grid_in(triangulation);
+      if (format == MeshFormat::gmsh)
         grid_in.read_msh(stream);
-      else if (format == "abaqus")
+      else if (format == MeshFormat::abaqus)
         grid_in.read_abaqus(stream);
-      else if (format == "vtk")
+      else if (format == MeshFormat::vtk)
         grid_in.read_vtk(stream);
       else
         grid_in.read_ucd(stream);
@@ -173,7 +176,7 @@ namespace stickslip
   template <int dim>
   void
   read_mesh(const std::string  &file_name,
-            const std::string  &format,
+            const MeshFormat    format,
             const std::string  &directory,
             const std::string  &path,
             const MPI_Comm      communicator,
@@ -196,13 +199,13 @@ namespace stickslip
     if (contents.find_first_not_of(" \t\r\n") == std::string::npos)
       throw UserError(where + "is empty.");
 
-    const std::string used_format =
-      (format == "automatic" ? detect_format(file_name, contents, path)
-                             : format);
-    const std::string kind = "is no usable " + std::to_string(dim) +
-                             "D mesh of " +
-                             (dim == 2 ? "quadrilaterals" : "hexahedra") +
-                             " in the format " + used_format;
+    const MeshFormat  used_format = (format == MeshFormat::automatic
+                                       ? detect_format(file_name, contents, path)
+                                       : format);
+    const std::string kind =
+      "is no usable " + std::to_string(dim) + "D mesh of " +
+      (dim == 2 ? "quadrilaterals" : "hexahedra") + " in the format " +
+      name_of(used_format, all_mesh_formats());
     const std::string complaint =
       complaint_about_mesh_file(contents, used_format, dim);
     if (!complaint.empty())
@@ -223,14 +226,14 @@ namespace stickslip
 
   template void
   read_mesh(const std::string &,
-            const std::string &,
+            const MeshFormat,
             const std::string &,
             const std::string &,
             const MPI_Comm,
             Triangulation<2> &);
   template void
   read_mesh(const std::string &,
-            const std::string &,
+            const MeshFormat,
             const std::string &,
             const std::string &,
             const MPI_Comm,

@@ -234,8 +234,7 @@ namespace stickslip
   ContactOutput<dim>::ContactOutput(const OutputParameters &parameters,
                                     const MPI_Comm          communicator)
     : deformed(parameters.deformed)
-    , higher_order_cells(parameters.higher_order_cells &&
-                         parameters.format == "vtu")
+    , higher_order_cells(parameters.format == FieldFormat::vtu)
     , writes_points(parameters.contact_points)
     , directory(parameters.directory)
     , communicator(communicator)

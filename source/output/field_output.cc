@@ -90,8 +90,7 @@ namespace stickslip
                                 const Bodies           &bodies,
                                 const MPI_Comm          communicator)
     : deformed(parameters.deformed)
-    , higher_order_cells(parameters.higher_order_cells &&
-                         parameters.format == "vtu")
+    , higher_order_cells(parameters.format == FieldFormat::vtu)
     , bodies(bodies)
     , series(parameters, "solution", communicator)
   {}

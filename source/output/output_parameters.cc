@@ -36,6 +36,31 @@ namespace stickslip
 
 
 
+  const Choices<FieldFormat> &
+  all_field_formats()
+  {
+    static const Choices<FieldFormat> choices = {{"vtu", FieldFormat::vtu},
+                                                 {"hdf5", FieldFormat::hdf5}};
+    return choices;
+  }
+
+
+
+  namespace
+  {
+    const Choices<Verbosity> &
+    all_verbosities()
+    {
+      static const Choices<Verbosity> choices = {
+        {"progress", Verbosity::progress},
+        {"results", Verbosity::results},
+        {"quiet", Verbosity::quiet}};
+      return choices;
+    }
+  } // namespace
+
+
+
   void
   OutputParameters::add_parameters(ParameterHandler &prm)
   {
@@ -47,33 +72,32 @@ namespace stickslip
                       "Write the fields after every n-th accepted step. The "
                       "statistics have a row for each step.",
                       Patterns::Integer(1));
-    prm.add_parameter("Format",
-                      format,
-                      "'vtu': VTU files with PVTU and PVD records. 'hdf5': one "
-                      "HDF5 file per step and an XDMF record.",
-                      Patterns::Selection("vtu|hdf5"));
+    add_choice(prm,
+               "Format",
+               format,
+               all_field_formats(),
+               "'vtu': VTU files with PVTU and PVD records. 'hdf5': one "
+               "HDF5 file per step and an XDMF record. "
+               "Displacements of degree 2 and more are curved Lagrange cells "
+               "in VTU (ParaView 5.5 or newer), subdivided linear ones in HDF5 "
+               "and on contact surfaces of 2D bodies.");
     prm.add_parameter("Grouped files",
                       grouped_files,
                       "Number of VTU files per step that the ranks share; 0: "
                       "one file per rank, as always for higher order cells "
                       "in 3D.",
                       Patterns::Integer(0));
-    prm.add_parameter("Higher order cells",
-                      higher_order_cells,
-                      "Write displacements of degree 2 and more as curved "
-                      "Lagrange cells (VTU; ParaView 5.5 or newer) instead of "
-                      "subdivided linear ones. Contact surfaces of 2D bodies "
-                      "are always lines.");
     prm.add_parameter("Deformed",
                       deformed,
                       "Write the deformed grid. Otherwise warp the undeformed "
                       "one by the field 'displacement'.");
-    prm.add_parameter("Verbosity",
-                      verbosity,
-                      "On the screen: 'progress' (a line per step, terse in a "
-                      "pipe, and the results), 'results' (numbers only) or "
-                      "'quiet' (errors only).",
-                      Patterns::Selection("progress|results|quiet"));
+    add_choice(prm,
+               "Verbosity",
+               verbosity,
+               all_verbosities(),
+               "On the screen: 'progress' (a line per step, terse in a "
+               "pipe, and the results), 'results' (numbers only) or "
+               "'quiet' (errors only).");
     prm.add_parameter("Checkpoint every n steps",
                       checkpoint_interval,
                       "Save the state after every n-th accepted step, so that "
@@ -83,8 +107,8 @@ namespace stickslip
     prm.add_parameter("Contact points",
                       contact_points,
                       "Write a table contact_points-NNNN.csv of all contact "
-                      "points, with every digit, beside the fields of each "
-                      "written step.");
+                      "points, with every digit, in addition to the fields of "
+                      "each written step.");
 
     prm.enter_subsection("Points");
     for (auto &[name, point] : points)

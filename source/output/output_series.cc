@@ -73,7 +73,7 @@ namespace stickslip
                              const MPI_Comm          communicator)
     : directory(parameters.directory + "/")
     , name(name)
-    , is_hdf5(parameters.format == "hdf5")
+    , is_hdf5(parameters.format == FieldFormat::hdf5)
     , n_ranks(Utilities::MPI::n_mpi_processes(communicator))
     , n_grouped_files(parameters.grouped_files == 0
                         ? n_ranks

@@ -44,16 +44,16 @@ namespace stickslip
 
 
 
-  Progress::Progress(const std::string &verbosity,
-                     const double       start_time,
-                     const double       end_time,
-                     const MPI_Comm     communicator,
-                     std::ostream      &out)
+  Progress::Progress(const Verbosity verbosity,
+                     const double    start_time,
+                     const double    end_time,
+                     const MPI_Comm  communicator,
+                     std::ostream   &out)
     : start_time(start_time)
     , end_time(end_time)
-    , is_active(verbosity == "progress" &&
+    , is_active(verbosity == Verbosity::progress &&
                 Utilities::MPI::this_mpi_process(communicator) == 0)
-    , shows_results(verbosity != "quiet" &&
+    , shows_results(verbosity != Verbosity::quiet &&
                     Utilities::MPI::this_mpi_process(communicator) == 0)
     , is_terminal(&out == &std::cout && isatty(fileno(stdout)) == 1)
     , out(out)

@@ -152,7 +152,6 @@ namespace stickslip
       throw UserError(
         "Section 'Bodies' names no body. Add one: 'subsection "
         "Bodies', 'subsection block', ...");
-    mesh.check("Mesh");
     check_named_list("Bodies", bodies);
     for (const auto &[name, material] : materials)
       material.check("Materials/" + name, dimension, degree);
@@ -180,7 +179,7 @@ namespace stickslip
   {
     std::vector<PeriodicRequest> requests;
     for (const auto &[name, condition] : boundary_conditions)
-      if (condition.condition_type() == BoundaryConditionType::periodic)
+      if (condition.type == BoundaryConditionType::periodic)
         {
           const std::string path = "Boundary conditions/" + name;
           PeriodicRequest   request;

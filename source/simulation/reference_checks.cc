@@ -9,6 +9,20 @@
 
 namespace stickslip
 {
+  namespace
+  {
+    const Choices<ToleranceType> &
+    all_tolerance_types()
+    {
+      static const Choices<ToleranceType> choices = {
+        {"relative", ToleranceType::relative},
+        {"absolute", ToleranceType::absolute}};
+      return choices;
+    }
+  } // namespace
+
+
+
   void
   ReferenceCheckParameters::add_parameters(ParameterHandler &prm)
   {
@@ -25,10 +39,11 @@ namespace stickslip
                       tolerance,
                       "Largest difference from it.",
                       Patterns::Double(0.));
-    prm.add_parameter("Tolerance type",
-                      tolerance_type,
-                      "relative (to the known value) or absolute.",
-                      Patterns::Selection("relative|absolute"));
+    add_choice(prm,
+               "Tolerance type",
+               tolerance_type,
+               all_tolerance_types(),
+               "relative (to the known value) or absolute.");
   }
 
 
@@ -38,7 +53,7 @@ namespace stickslip
   {
     if (quantity.empty())
       throw UserError("'" + path + "/Quantity' is missing.");
-    if (expected == 0. && tolerance_type == "relative")
+    if (expected == 0. && tolerance_type == ToleranceType::relative)
       throw UserError("'" + path +
                       "/Expected' is 0, to which nothing can be relative. Set "
                       "'Tolerance type = absolute'.");
@@ -69,14 +84,15 @@ namespace stickslip
                           "'." + did_you_mean(check.quantity, known) +
                           " Known: " + quoted_list(known) + ".");
         double error = std::abs(*found - check.expected);
-        if (check.tolerance_type == "relative")
+        if (check.tolerance_type == ToleranceType::relative)
           error /= std::abs(check.expected);
         const bool holds = error <= check.tolerance;
         n_failed += holds ? 0 : 1;
         out << "Check '" << name << "': " << check.quantity << " = "
             << check.expected << " within " << check.tolerance
-            << (check.tolerance_type == "relative" ? " (relative)" : "") << ": "
-            << (holds ? "holds" : "FALLS SHORT, error ");
+            << (check.tolerance_type == ToleranceType::relative ? " (relative)"
+                                                                : "")
+            << ": " << (holds ? "holds" : "FALLS SHORT, error ");
         if (!holds)
           out << error;
         out << std::endl;

@@ -7,48 +7,40 @@
 #include <deal.II/base/utilities.h>
 
 #include <cmath>
-#include <map>
 
 namespace stickslip
 {
-  using namespace dealii;
-
-  namespace
+  const Choices<BoundaryConditionType> &
+  all_boundary_condition_types()
   {
-    const std::map<std::string, BoundaryConditionType> &
-    boundary_condition_types()
-    {
-      static const std::map<std::string, BoundaryConditionType> types = {
-        {"displacement", BoundaryConditionType::displacement},
-        {"symmetry", BoundaryConditionType::symmetry},
-        {"rigid motion", BoundaryConditionType::rigid_motion},
-        {"traction", BoundaryConditionType::traction},
-        {"pressure", BoundaryConditionType::pressure},
-        {"follower pressure", BoundaryConditionType::follower_pressure},
-        {"spring", BoundaryConditionType::spring},
-        {"body force", BoundaryConditionType::body_force},
-        {"periodic", BoundaryConditionType::periodic}};
-      return types;
-    }
-  } // namespace
+    static const Choices<BoundaryConditionType> choices = {
+      {"displacement", BoundaryConditionType::displacement},
+      {"symmetry", BoundaryConditionType::symmetry},
+      {"rigid motion", BoundaryConditionType::rigid_motion},
+      {"traction", BoundaryConditionType::traction},
+      {"pressure", BoundaryConditionType::pressure},
+      {"follower pressure", BoundaryConditionType::follower_pressure},
+      {"spring", BoundaryConditionType::spring},
+      {"body force", BoundaryConditionType::body_force},
+      {"periodic", BoundaryConditionType::periodic}};
+    return choices;
+  }
 
 
 
   void
   BoundaryConditionParameters::add_parameters(ParameterHandler &prm)
   {
-    std::string types;
-    for (const auto &named : boundary_condition_types())
-      types += (types.empty() ? "" : "|") + named.first;
-
     prm.add_parameter("Body", body, "The body's name.", Patterns::Anything());
     prm.add_parameter("Boundary",
                       boundary,
                       "The body's boundary ids. Empty for the whole body "
                       "(displacement, rigid motion, body force).");
-    prm.add_parameter(
+    add_choice(
+      prm,
       "Type",
       type,
+      all_boundary_condition_types(),
       "What is prescribed. 'displacement': Value. 'symmetry': no displacement "
       "normal to the plane boundary. 'rigid motion': Translation and Rotation. "
       "'traction': force per reference area, Value. 'pressure': along the "
@@ -57,8 +49,7 @@ namespace stickslip
       "reference area, Stiffness times the displacement along Direction. 'body "
       "force': force per reference volume, Value. 'periodic': the "
       "displacements "
-      "on Boundary and Second boundary are equal.",
-      Patterns::Selection(types));
+      "on Boundary and Second boundary are equal.");
     prm.add_parameter(
       "Value",
       value,
@@ -108,57 +99,50 @@ namespace stickslip
 
 
 
-  BoundaryConditionType
-  BoundaryConditionParameters::condition_type() const
-  {
-    return boundary_condition_types().at(type);
-  }
-
-
-
   void
   BoundaryConditionParameters::check(const std::string &path) const
   {
+    const std::string &type_name =
+      name_of(type, all_boundary_condition_types());
     const auto require = [&](const bool present, const std::string &name) {
       if (!present)
         throw UserError(path + "/" + name +
-                        " is empty, but a condition of type '" + type +
+                        " is empty, but a condition of type '" + type_name +
                         "' needs it.");
     };
     const auto forbid = [&](const bool present, const std::string &name) {
       if (present)
         throw UserError(path + "/" + name +
-                        " is given, but a condition of type '" + type +
+                        " is given, but a condition of type '" + type_name +
                         "' has no use for it.");
     };
 
     require(!body.empty(), "Body");
-    const BoundaryConditionType kind = condition_type();
 
-    const bool has_value = (kind == BoundaryConditionType::displacement ||
-                            kind == BoundaryConditionType::traction ||
-                            kind == BoundaryConditionType::pressure ||
-                            kind == BoundaryConditionType::follower_pressure ||
-                            kind == BoundaryConditionType::body_force);
+    const bool has_value = (type == BoundaryConditionType::displacement ||
+                            type == BoundaryConditionType::traction ||
+                            type == BoundaryConditionType::pressure ||
+                            type == BoundaryConditionType::follower_pressure ||
+                            type == BoundaryConditionType::body_force);
     (has_value ? require(!value.empty(), "Value")
                : forbid(!value.empty(), "Value"));
 
-    const bool moves = (kind == BoundaryConditionType::displacement ||
-                        kind == BoundaryConditionType::rigid_motion);
-    if (kind == BoundaryConditionType::body_force)
+    const bool moves = (type == BoundaryConditionType::displacement ||
+                        type == BoundaryConditionType::rigid_motion);
+    if (type == BoundaryConditionType::body_force)
       forbid(!boundary.empty(), "Boundary");
     else if (!moves)
       require(!boundary.empty(), "Boundary");
     if (!moves)
       forbid(!where.empty(), "Where");
 
-    if (kind != BoundaryConditionType::rigid_motion)
+    if (type != BoundaryConditionType::rigid_motion)
       forbid(!translation.empty(), "Translation");
 
-    if (kind == BoundaryConditionType::spring && !(stiffness > 0.))
+    if (type == BoundaryConditionType::spring && !(stiffness > 0.))
       throw UserError(path + "/Stiffness has to be greater than 0.");
 
-    if (kind == BoundaryConditionType::periodic)
+    if (type == BoundaryConditionType::periodic)
       {
         require(!direction.empty(), "Direction");
         if (boundary.size() != 1 || second_boundary.size() != 1)

@@ -22,7 +22,43 @@ namespace stickslip
            << rule << ".";
       throw UserError(text.str());
     }
+
+
+
+    const Choices<HardeningModulusType> &
+    all_hardening_modulus_types()
+    {
+      static const Choices<HardeningModulusType> choices = {
+        {"slope", HardeningModulusType::slope},
+        {"tangent modulus", HardeningModulusType::tangent_modulus}};
+      return choices;
+    }
+
+
+
+    const Choices<TableAbscissa> &
+    all_table_abscissae()
+    {
+      static const Choices<TableAbscissa> choices = {
+        {"plastic strain", TableAbscissa::plastic_strain},
+        {"total strain", TableAbscissa::total_strain}};
+      return choices;
+    }
   } // namespace
+
+
+
+  const Choices<HardeningType> &
+  all_hardening_types()
+  {
+    static const Choices<HardeningType> choices = {
+      {"none", HardeningType::none},
+      {"linear", HardeningType::linear},
+      {"tabulated", HardeningType::tabulated},
+      {"power", HardeningType::power},
+      {"Voce", HardeningType::voce}};
+    return choices;
+  }
 
 
 
@@ -35,27 +71,29 @@ namespace stickslip
                       "sy, at the first yield in a uniaxial test; force per "
                       "area. Unused with a table.",
                       Double());
-    prm.add_parameter(
+    add_choice(
+      prm,
       "Hardening",
       type,
+      all_hardening_types(),
       "The yield stress R as a function of the equivalent plastic strain p. "
       "none: R = sy. linear: R = sy + H p. tabulated: linear between the "
       "points of 'Hardening table'. power: R = sy (1 + p/p0)^n. Voce: "
-      "R = sy + (s_inf - sy)(1 - exp(-p/p0)) + H p.",
-      Selection("none|linear|tabulated|power|Voce"));
+      "R = sy + (s_inf - sy)(1 - exp(-p/p0)) + H p.");
     prm.add_parameter("Hardening modulus",
                       modulus,
-                      "H of linear and Voce; force per area. What it means "
-                      "says 'Hardening modulus is'.",
+                      "H of linear and Voce; force per area. 'Hardening "
+                      "modulus is' says which slope it is.",
                       Double());
-    prm.add_parameter(
+    add_choice(
+      prm,
       "Hardening modulus is",
       modulus_type,
+      all_hardening_modulus_types(),
       "slope: dR/dp, over the plastic strain. tangent modulus: E_T, the slope "
       "of the whole uniaxial stress-strain curve over the total strain, "
       "kinematic "
-      "hardening included; then H = E E_T/(E - E_T) less the kinematic slope.",
-      Selection("slope|tangent modulus"));
+      "hardening included; then H = E E_T/(E - E_T) less the kinematic slope.");
     prm.add_parameter(
       "Hardening table",
       table,
@@ -63,11 +101,12 @@ namespace stickslip
       "the first is the first yield, and beyond the last one the curve goes on "
       "with its last slope. Stresses must not fall.",
       *dealii::Patterns::Tools::Convert<decltype(table)>::to_pattern());
-    prm.add_parameter("Hardening table abscissa",
-                      table_abscissa,
-                      "plastic strain: p, beginning with 0. total strain: "
-                      "p + stress/E, as in a measured curve.",
-                      Selection("plastic strain|total strain"));
+    add_choice(prm,
+               "Hardening table abscissa",
+               table_abscissa,
+               all_table_abscissae(),
+               "plastic strain: p, beginning with 0. total strain: "
+               "p + stress/E, as in a measured curve.");
     prm.add_parameter("Reference plastic strain",
                       reference_strain,
                       "p0 of power and Voce; without unit.",
@@ -89,30 +128,31 @@ namespace stickslip
                             const ElasticConstants &elastic,
                             const double            kinematic_slope) const
   {
-    if (type == "tabulated")
+    if (type == HardeningType::tabulated)
       {
         check_table(path, elastic.youngs_modulus);
         return;
       }
     if (!(yield_stress > 0.))
       refuse(path, "Yield stress", yield_stress, "greater than 0");
-    if ((type == "power" || type == "Voce") && !(reference_strain > 0.))
+    if ((type == HardeningType::power || type == HardeningType::voce) &&
+        !(reference_strain > 0.))
       refuse(path,
              "Reference plastic strain",
              reference_strain,
              "greater than 0");
-    if (type == "power" && !(exponent >= 0. && exponent <= 1.))
+    if (type == HardeningType::power && !(exponent >= 0. && exponent <= 1.))
       refuse(path, "Hardening exponent", exponent, "between 0 and 1");
-    if (type == "Voce" && !(saturation >= yield_stress))
+    if (type == HardeningType::voce && !(saturation >= yield_stress))
       refuse(path,
              "Saturation stress",
              saturation,
              "at least the yield stress");
-    if (type != "linear" && type != "Voce")
+    if (type != HardeningType::linear && type != HardeningType::voce)
       return;
-    if (modulus_type == "slope" && !(modulus >= 0.))
+    if (modulus_type == HardeningModulusType::slope && !(modulus >= 0.))
       refuse(path, "Hardening modulus", modulus, "at least 0");
-    if (modulus_type == "tangent modulus")
+    if (modulus_type == HardeningModulusType::tangent_modulus)
       {
         if (!(modulus < elastic.youngs_modulus))
           refuse(path,
@@ -140,7 +180,7 @@ namespace stickslip
     const std::string name = path + "/Hardening table";
     if (table.empty())
       throw UserError(name + " is empty, but 'Hardening' is tabulated.");
-    const bool total          = table_abscissa == "total strain";
+    const bool total          = table_abscissa == TableAbscissa::total_strain;
     const auto plastic_strain = [&](const std::pair<double, double> &point) {
       return total ? point.first - point.second / youngs_modulus : point.first;
     };
@@ -176,7 +216,7 @@ namespace stickslip
   IsotropicHardening::linear_slope(const ElasticConstants &elastic,
                                    const double kinematic_slope) const
   {
-    if (modulus_type == "slope")
+    if (modulus_type == HardeningModulusType::slope)
       return modulus;
     const double E = elastic.youngs_modulus;
     return E * modulus / (E - modulus) - kinematic_slope;
@@ -189,20 +229,20 @@ namespace stickslip
                          const ElasticConstants &elastic,
                          const double            kinematic_slope) const
   {
-    if (type == "none")
+    if (type == HardeningType::none)
       return {yield_stress, 0.};
-    if (type == "linear")
+    if (type == HardeningType::linear)
       {
         const double H = linear_slope(elastic, kinematic_slope);
         return {yield_stress + H * p, H};
       }
-    if (type == "power")
+    if (type == HardeningType::power)
       {
         const double base  = 1. + p / reference_strain;
         const double value = yield_stress * std::pow(base, exponent);
         return {value, exponent * value / (base * reference_strain)};
       }
-    if (type == "Voce")
+    if (type == HardeningType::voce)
       {
         const double H = linear_slope(elastic, kinematic_slope);
         const double decay =
@@ -220,7 +260,7 @@ namespace stickslip
   {
     if (table.size() == 1)
       return {table[0].second, 0.};
-    const bool total          = table_abscissa == "total strain";
+    const bool total          = table_abscissa == TableAbscissa::total_strain;
     const auto plastic_strain = [&](const std::pair<double, double> &point) {
       return total ? point.first - point.second / youngs_modulus : point.first;
     };

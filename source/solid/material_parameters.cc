@@ -7,6 +7,21 @@
 
 namespace stickslip
 {
+  namespace
+  {
+    const Choices<ElementType> &
+    all_element_types()
+    {
+      static const Choices<ElementType> choices = {
+        {"standard", ElementType::standard},
+        {"F-bar", ElementType::f_bar},
+        {"B-bar", ElementType::b_bar}};
+      return choices;
+    }
+  } // namespace
+
+
+
   void
   MaterialParameters::choose_law(const std::string &name,
                                  const std::string &path)
@@ -36,15 +51,16 @@ namespace stickslip
                       "In 2D: no stress normal to the plane, instead of no "
                       "strain.",
                       Patterns::Bool());
-    prm.add_parameter(
+    add_choice(
+      prm,
       "Element",
       element,
+      all_element_types(),
       "standard: the law sees the deformation of each quadrature point; with "
       "Degree 1 this locks in plastic flow and for Poisson's ratios close to "
       "0.5. F-bar: it sees the mean change of volume of the cell, for laws of "
       "large strains. B-bar: the same for laws of small strains. Both are for "
-      "Degree 1; Degree 2 hardly locks.",
-      Patterns::Selection("standard|F-bar|B-bar"));
+      "Degree 1; Degree 2 hardly locks.");
     law_object->add_parameters(prm);
   }
 
@@ -69,9 +85,10 @@ namespace stickslip
   MaterialParameters::check_element(const std::string &path,
                                     const unsigned int degree) const
   {
-    if (element == "standard")
+    if (element == ElementType::standard)
       return;
-    const std::string found = path + "/Element is " + element + ", but ";
+    const std::string found =
+      path + "/Element is " + name_of(element, all_element_types()) + ", but ";
     if (degree != 1)
       throw UserError(found + "Degree is " + std::to_string(degree) +
                       ": this element is for 1. Take standard.");
@@ -79,12 +96,13 @@ namespace stickslip
       throw UserError(found +
                       "Plane stress is true: there the thickness "
                       "follows and nothing locks. Take standard.");
-    const std::string fitting =
-      law_object->is_geometrically_linear() ? "B-bar" : "F-bar";
+    const bool        is_linear = law_object->is_geometrically_linear();
+    const ElementType fitting =
+      is_linear ? ElementType::b_bar : ElementType::f_bar;
     if (element != fitting)
       throw UserError(found + "the law '" + law + "' is one of " +
-                      (fitting == "B-bar" ? "small" : "large") +
-                      " strains. Take " + fitting + ".");
+                      (is_linear ? "small" : "large") + " strains. Take " +
+                      name_of(fitting, all_element_types()) + ".");
   }
 
 
@@ -151,7 +169,8 @@ namespace stickslip
       {
         const MaterialParameters *material =
           material_of(region, materials, bodies);
-        result.push_back(material && material->element != "standard");
+        result.push_back(material &&
+                         material->element != ElementType::standard);
       }
     return result;
   }

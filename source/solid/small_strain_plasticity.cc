@@ -11,6 +11,31 @@
 
 namespace stickslip
 {
+  namespace
+  {
+    const Choices<KinematicModulusType> &
+    all_kinematic_modulus_types()
+    {
+      static const Choices<KinematicModulusType> choices = {
+        {"slope", KinematicModulusType::slope},
+        {"Prager constant", KinematicModulusType::prager_constant}};
+      return choices;
+    }
+
+
+
+    const Choices<StrainMeasure> &
+    all_strain_measures()
+    {
+      static const Choices<StrainMeasure> choices = {
+        {"small", StrainMeasure::small},
+        {"Green-Lagrange", StrainMeasure::green_lagrange}};
+      return choices;
+    }
+  } // namespace
+
+
+
   void
   SmallStrainPlasticity::add_parameters(ParameterHandler &prm)
   {
@@ -19,21 +44,23 @@ namespace stickslip
     prm.add_parameter("Kinematic modulus",
                       kinematic_modulus,
                       "Of Prager's linear kinematic hardening, force per area. "
-                      "What it means says 'Kinematic modulus is'.",
+                      "'Kinematic modulus is' says which slope it is.",
                       Patterns::Double());
-    prm.add_parameter("Kinematic modulus is",
-                      kinematic_modulus_type,
-                      "slope: of the uniaxial back stress over the plastic "
-                      "strain. Prager constant: C of the back stress tensor "
-                      "X = C e_p, which has the uniaxial slope 3/2 C.",
-                      Patterns::Selection("slope|Prager constant"));
-    prm.add_parameter("Strain measure",
-                      strain_measure,
-                      "small: small strains and small rotations. "
-                      "Green-Lagrange: small strains (some percent) and any "
-                      "rotations. For large strains take a law with a "
-                      "multiplicative split (Simo-Miehe, Hencky).",
-                      Patterns::Selection("small|Green-Lagrange"));
+    add_choice(prm,
+               "Kinematic modulus is",
+               kinematic_modulus_type,
+               all_kinematic_modulus_types(),
+               "slope: of the uniaxial back stress over the plastic "
+               "strain. Prager constant: C of the back stress tensor "
+               "X = C e_p, which has the uniaxial slope 3/2 C.");
+    add_choice(prm,
+               "Strain measure",
+               strain_measure,
+               all_strain_measures(),
+               "small: small strains and small rotations. "
+               "Green-Lagrange: small strains (some percent) and any "
+               "rotations. For large strains take a law with a "
+               "multiplicative split (Simo-Miehe, Hencky).");
   }
 
 
@@ -57,8 +84,9 @@ namespace stickslip
   double
   SmallStrainPlasticity::kinematic_slope() const
   {
-    return kinematic_modulus_type == "slope" ? kinematic_modulus
-                                             : 1.5 * kinematic_modulus;
+    return kinematic_modulus_type == KinematicModulusType::slope
+             ? kinematic_modulus
+             : 1.5 * kinematic_modulus;
   }
 
 
@@ -172,6 +200,6 @@ namespace stickslip
   bool
   SmallStrainPlasticity::is_geometrically_linear() const
   {
-    return strain_measure == "small";
+    return strain_measure == StrainMeasure::small;
   }
 } // namespace stickslip

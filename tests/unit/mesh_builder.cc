@@ -64,7 +64,7 @@ namespace
           std::to_string(mesh.bodies.global_boundary_id(2, 2)) + " and back " +
           std::to_string(mesh.bodies.local_boundary_id(
             mesh.bodies.global_boundary_id(2, 2))));
-    parameters.partitioner = "METIS";
+    parameters.partitioner = Partitioner::metis;
     show<2>("2D blocks, METIS", bodies, parameters);
 
     show<2>("graded rectangle",
@@ -88,7 +88,7 @@ namespace
   test_manifolds(const std::string &partitioner)
   {
     MeshParameters parameters;
-    parameters.partitioner        = partitioner;
+    parameters.partitioner        = value_of(partitioner, all_partitioners());
     parameters.global_refinements = 2;
 
     BodyParameters ring  = generated("hyper_shell", "0, 0 : 1 : 2 : 8 : true");
@@ -162,7 +162,7 @@ namespace
   test_periodicity(const std::string &partitioner)
   {
     MeshParameters parameters;
-    parameters.partitioner        = partitioner;
+    parameters.partitioner        = value_of(partitioner, all_partitioners());
     parameters.global_refinements = 2;
     PeriodicRequest request;
     request.parameter_path = "Boundary conditions/sides";
@@ -195,7 +195,7 @@ namespace
   test_weights(const std::string &partitioner, const double weight)
   {
     MeshParameters parameters;
-    parameters.partitioner    = partitioner;
+    parameters.partitioner    = value_of(partitioner, all_partitioners());
     parameters.contact_weight = weight;
     const auto strip          = [](const std::string &y) {
       return generated("subdivided_hyper_rectangle",

@@ -33,7 +33,7 @@ namespace
     const auto law                  = std::make_shared<Law>();
     law->constants.youngs_modulus   = 1.;
     law->constants.poissons_ratio   = 0.3;
-    law->hardening.type             = type;
+    law->hardening.type             = value_of(type, all_hardening_types());
     law->hardening.yield_stress     = 0.1;
     law->hardening.modulus          = 0.2;
     law->hardening.saturation       = 0.3;
@@ -83,7 +83,7 @@ namespace
         const auto small         = plastic_law<SmallStrainPlasticity>(type);
         small->kinematic_modulus = 0.1;
         const auto rotating = std::make_shared<SmallStrainPlasticity>(*small);
-        rotating->strain_measure = "Green-Lagrange";
+        rotating->strain_measure = StrainMeasure::green_lagrange;
         const std::vector<
           std::pair<std::string, std::shared_ptr<ConstitutiveLaw>>>
           laws = {{"Simo-Miehe", simo},
@@ -183,9 +183,10 @@ namespace
                     std::abs(point.new_history.back() - F[1][1])});
         if (row.H == 1.5)
           {
-            hencky->hardening.modulus      = 0.6;
-            hencky->hardening.modulus_type = "tangent modulus";
-            modulus_error                  = std::max(modulus_error,
+            hencky->hardening.modulus = 0.6;
+            hencky->hardening.modulus_type =
+              HardeningModulusType::tangent_modulus;
+            modulus_error = std::max(modulus_error,
                                      uniaxial_error(hencky,
                                                     row.hencky_stretch,
                                                     5,
@@ -271,13 +272,13 @@ namespace
     law.constants.youngs_modulus = E;
     law.constants.poissons_ratio = 0.3;
     law.hardening.yield_stress   = 335.;
-    law.hardening.type           = "linear";
+    law.hardening.type           = HardeningType::linear;
     law.hardening.modulus        = 2726.;
     law.kinematic_modulus        = 1500.;
     print("cycle, slopes as given, within 1e-8",
           cycle_error(law, cycle_stresses(E, 335., 2726., 1500.)) < 1e-8);
-    law.hardening.modulus_type = "tangent modulus";
-    law.kinematic_modulus_type = "Prager constant";
+    law.hardening.modulus_type = HardeningModulusType::tangent_modulus;
+    law.kinematic_modulus_type = KinematicModulusType::prager_constant;
     const double kinematic     = 1.5 * 1500.;
     const double isotropic     = E * 2726. / (E - 2726.) - kinematic;
     print("cycle, tangent modulus and Prager constant, within 1e-8",
@@ -412,10 +413,10 @@ namespace
     ElasticConstants elastic;
     elastic.youngs_modulus = 50.;
     IsotropicHardening plastic;
-    plastic.type             = "tabulated";
+    plastic.type             = HardeningType::tabulated;
     plastic.table            = {{0., 1.}, {0.02, 2.}, {0.05, 2.5}};
     IsotropicHardening total = plastic;
-    total.table_abscissa     = "total strain";
+    total.table_abscissa     = TableAbscissa::total_strain;
     for (auto &[strain, stress] : total.table)
       strain += stress / elastic.youngs_modulus;
     total.check("law", elastic);
@@ -501,7 +502,7 @@ main()
   test_rotation("Simo-Miehe", plastic_law<SimoMiehe>("linear"));
   test_rotation("Hencky", plastic_law<HenckyPlasticity>("Voce"));
   const auto rotating         = plastic_law<SmallStrainPlasticity>("power");
-  rotating->strain_measure    = "Green-Lagrange";
+  rotating->strain_measure    = StrainMeasure::green_lagrange;
   rotating->kinematic_modulus = 0.1;
   test_rotation("Green-Lagrange", rotating);
   test_plastic_flow_conserves_volume<SimoMiehe>("Simo-Miehe");

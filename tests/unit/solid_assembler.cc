@@ -171,7 +171,7 @@ namespace
   plastic()
   {
     const auto law              = steel<Law>();
-    law->hardening.type         = "linear";
+    law->hardening.type         = HardeningType::linear;
     law->hardening.yield_stress = 0.1;
     law->hardening.modulus      = 10.;
     return law;

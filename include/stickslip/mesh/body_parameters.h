@@ -1,6 +1,8 @@
 #ifndef stickslip_mesh_body_parameters_h
 #define stickslip_mesh_body_parameters_h
 
+#include <stickslip/mesh/mesh_format.h>
+
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
@@ -21,7 +23,7 @@ namespace stickslip
     std::string  generator;
     std::string  arguments;
     std::string  mesh_file;
-    std::string  mesh_format = "automatic";
+    MeshFormat   mesh_format = MeshFormat::automatic;
     std::string  coordinates; ///< expressions "fx; fy; fz"
     unsigned int refinements = 0;
 
@@ -34,8 +36,7 @@ namespace stickslip
     std::string boundary_ids;     ///< "id: condition; id: condition"
     std::string material;         ///< name of a section of Materials
     std::string material_regions; ///< "name: condition; name: condition"
-    bool        is_rigid        = false;
-    bool        keeps_manifolds = true;
+    bool        is_rigid = false;
 
     void
     add_parameters(ParameterHandler &prm);

@@ -1,6 +1,8 @@
 #ifndef stickslip_mesh_mesh_parameters_h
 #define stickslip_mesh_mesh_parameters_h
 
+#include <stickslip/base/choice.h>
+
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/types.h>
 
@@ -11,10 +13,20 @@ namespace stickslip
 {
   using namespace dealii;
 
+  /// What distributes the cells over the ranks.
+  enum class Partitioner
+  {
+    p4est, ///< a space-filling curve
+    metis  ///< partitioning of the graph of cells
+  };
+
+  const Choices<Partitioner> &
+  all_partitioners();
+
   /// What concerns the joined triangulation of all bodies.
   struct MeshParameters
   {
-    std::string  partitioner        = "p4est"; ///< or "METIS"
+    Partitioner  partitioner        = Partitioner::p4est;
     unsigned int global_refinements = 0;
     double       contact_weight     = 0.;
 
@@ -24,9 +36,6 @@ namespace stickslip
 
     void
     add_parameters(ParameterHandler &prm);
-
-    void
-    check(const std::string &path) const;
   };
 
   /// Boundaries whose cells cost more than others: slave surfaces.

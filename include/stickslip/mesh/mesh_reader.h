@@ -1,6 +1,8 @@
 #ifndef stickslip_mesh_mesh_reader_h
 #define stickslip_mesh_mesh_reader_h
 
+#include <stickslip/mesh/mesh_format.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <deal.II/grid/tria.h>
@@ -13,9 +15,8 @@ namespace stickslip
 
   /**
    * Reads a mesh of quadrilaterals or hexahedra with the file's boundary and
-   * material ids. @p format is "automatic" (by the extension; .inp by its
-   * contents), "gmsh", "abaqus", "vtk" or "ucd". A relative @p file_name is
-   * looked for in @p directory, then in the working directory.
+   * material ids. A relative @p file_name is looked for in @p directory, then in
+   * the working directory.
    *
    * Collective over @p communicator: rank 0 reads the file, every rank gets the
    * whole mesh. Throws UserError, on all ranks, blaming parameters below
@@ -24,7 +25,7 @@ namespace stickslip
   template <int dim>
   void
   read_mesh(const std::string  &file_name,
-            const std::string  &format,
+            const MeshFormat    format,
             const std::string  &directory,
             const std::string  &path,
             const MPI_Comm      communicator,

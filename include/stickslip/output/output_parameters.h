@@ -1,6 +1,7 @@
 #ifndef stickslip_output_output_parameters_h
 #define stickslip_output_output_parameters_h
 
+#include <stickslip/base/choice.h>
 #include <stickslip/base/parameter_file.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -32,6 +33,24 @@ namespace stickslip
 
 
 
+  /// The format of field output.
+  enum class FieldFormat
+  {
+    vtu,
+    hdf5
+  };
+
+  const Choices<FieldFormat> &
+  all_field_formats();
+
+  /// What a run prints on the screen.
+  enum class Verbosity
+  {
+    progress, ///< a line per step, and the results
+    results,
+    quiet ///< errors only
+  };
+
   /**
    * What is written, where and how often. The section "Output".
    */
@@ -39,11 +58,10 @@ namespace stickslip
   {
     std::string  directory           = "results";
     unsigned int every_n_steps       = 1;
-    std::string  format              = "vtu";
+    FieldFormat  format              = FieldFormat::vtu;
     unsigned int grouped_files       = 1;
-    bool         higher_order_cells  = true;
     bool         deformed            = false;
-    std::string  verbosity           = "progress";
+    Verbosity    verbosity           = Verbosity::progress;
     unsigned int checkpoint_interval = 0;
     bool         contact_points      = false;
 

@@ -1,6 +1,8 @@
 #ifndef stickslip_output_progress_h
 #define stickslip_output_progress_h
 
+#include <stickslip/output/output_parameters.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <chrono>
@@ -10,7 +12,7 @@
 namespace stickslip
 {
   /**
-   * Tells on the screen how far a run is, if Output/Verbosity is "progress":
+   * Tells on the screen how far a run is, with Verbosity::progress:
    * on a terminal one line per step with an estimate of the time left; in a
    * pipe or file only a line at each tenth of the simulated time and the
    * rejected steps. Only rank 0 speaks. Not collective.
@@ -18,11 +20,11 @@ namespace stickslip
   class Progress
   {
   public:
-    Progress(const std::string &verbosity,
-             const double       start_time,
-             const double       end_time,
-             const MPI_Comm     communicator,
-             std::ostream      &out = std::cout);
+    Progress(const Verbosity verbosity,
+             const double    start_time,
+             const double    end_time,
+             const MPI_Comm  communicator,
+             std::ostream   &out = std::cout);
 
     /// For tests: say whether @p out is a terminal.
     void
@@ -51,7 +53,7 @@ namespace stickslip
     void
     finished(const unsigned int n_steps);
 
-    /// True on rank 0 if Output/Verbosity is "results" or "progress".
+    /// True on rank 0 unless the verbosity is quiet.
     bool
     prints_results() const
     {

@@ -1,6 +1,8 @@
 #ifndef stickslip_simulation_reference_checks_h
 #define stickslip_simulation_reference_checks_h
 
+#include <stickslip/base/choice.h>
+
 #include <deal.II/base/parameter_handler.h>
 
 #include <iosfwd>
@@ -12,13 +14,19 @@ namespace stickslip
 {
   using namespace dealii;
 
+  enum class ToleranceType
+  {
+    relative, ///< to the known value
+    absolute
+  };
+
   /// A result of the run with its known value: a member of section "Checks".
   struct ReferenceCheckParameters
   {
-    std::string quantity;
-    double      expected       = 0.;
-    double      tolerance      = 1e-6;
-    std::string tolerance_type = "relative";
+    std::string   quantity;
+    double        expected       = 0.;
+    double        tolerance      = 1e-6;
+    ToleranceType tolerance_type = ToleranceType::relative;
 
     void
     add_parameters(ParameterHandler &prm);

@@ -1,6 +1,8 @@
 #ifndef stickslip_solid_boundary_condition_parameters_h
 #define stickslip_solid_boundary_condition_parameters_h
 
+#include <stickslip/base/choice.h>
+
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/tensor.h>
 
@@ -22,6 +24,9 @@ namespace stickslip
     periodic
   };
 
+  const Choices<BoundaryConditionType> &
+  all_boundary_condition_types();
+
   /**
    * One member of the section "Boundary conditions". Expressions are muparser
    * functions of the reference position x, y (, z) and of the load time t,
@@ -31,7 +36,7 @@ namespace stickslip
   {
     std::string               body;
     std::vector<unsigned int> boundary; ///< the body's own ids; may be empty
-    std::string               type = "displacement";
+    BoundaryConditionType     type = BoundaryConditionType::displacement;
     std::string               value;
     std::string               where;
     std::string               direction;
@@ -52,9 +57,6 @@ namespace stickslip
      */
     void
     check(const std::string &path) const;
-
-    BoundaryConditionType
-    condition_type() const;
 
     /**
      * "Direction" as a unit vector: a letter x, y, z or @p dim numbers. Throws

@@ -1,6 +1,8 @@
 #ifndef stickslip_solid_isotropic_hardening_h
 #define stickslip_solid_isotropic_hardening_h
 
+#include <stickslip/base/choice.h>
+
 #include <stickslip/solid/elastic_constants.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -11,6 +13,32 @@
 
 namespace stickslip
 {
+  enum class HardeningType
+  {
+    none,
+    linear,
+    tabulated,
+    power,
+    voce
+  };
+
+  const Choices<HardeningType> &
+  all_hardening_types();
+
+  /// What a hardening modulus is the slope of.
+  enum class HardeningModulusType
+  {
+    slope,          ///< yield stress over plastic strain
+    tangent_modulus ///< the uniaxial curve over the total strain
+  };
+
+  /// The strain that the points of a hardening table have.
+  enum class TableAbscissa
+  {
+    plastic_strain,
+    total_strain
+  };
+
   /**
    * The yield stress R(p) as a function of the equivalent plastic strain p,
    * both as in a uniaxial test (in the law's own stress and strain measures):
@@ -26,14 +54,14 @@ namespace stickslip
    */
   struct IsotropicHardening
   {
-    std::string type             = "none";
-    double      yield_stress     = 1.;
-    double      modulus          = 0.;
-    std::string modulus_type     = "slope";
-    double      reference_strain = 0.01;
-    double      exponent         = 0.2;
-    double      saturation       = 1.;
-    std::string table_abscissa   = "plastic strain";
+    HardeningType        type             = HardeningType::none;
+    double               yield_stress     = 1.;
+    double               modulus          = 0.;
+    HardeningModulusType modulus_type     = HardeningModulusType::slope;
+    double               reference_strain = 0.01;
+    double               exponent         = 0.2;
+    double               saturation       = 1.;
+    TableAbscissa        table_abscissa   = TableAbscissa::plastic_strain;
 
     std::vector<std::pair<double, double>> table;
 
@@ -66,7 +94,7 @@ namespace stickslip
        const double            kinematic_slope = 0.) const;
 
   private:
-    /// H of "linear" and "Voce": as given, or E E_T / (E - E_T) less the
+    /// H of linear and Voce: as given, or E E_T / (E - E_T) less the
     /// kinematic part.
     double
     linear_slope(const ElasticConstants &elastic,

@@ -1,6 +1,7 @@
 #ifndef stickslip_solid_material_parameters_h
 #define stickslip_solid_material_parameters_h
 
+#include <stickslip/base/choice.h>
 #include <stickslip/base/parameter_file.h>
 
 #include <stickslip/mesh/body.h>
@@ -13,6 +14,14 @@
 
 namespace stickslip
 {
+  /// The deformation that the law sees at a quadrature point.
+  enum class ElementType
+  {
+    standard, ///< of the point
+    f_bar,    ///< with the cell's mean change of volume, large strains
+    b_bar     ///< the same for small strains
+  };
+
   /**
    * The parameters of one material: the name of the law and that law's own
    * parameters, and no others. Because the set of parameters depends on the
@@ -22,7 +31,7 @@ namespace stickslip
   {
     std::string law          = "linear elastic";
     bool        plane_stress = false;
-    std::string element      = "standard";
+    ElementType element      = ElementType::standard;
 
     /// Takes the law of that name; throws UserError naming @p path ("Materials/
     /// steel") and the known names.

@@ -10,6 +10,19 @@
 
 namespace stickslip
 {
+  /// What a kinematic modulus is.
+  enum class KinematicModulusType
+  {
+    slope,          ///< of the uniaxial back stress over the plastic strain
+    prager_constant ///< C of the back stress X = C e_p
+  };
+
+  enum class StrainMeasure
+  {
+    small,
+    green_lagrange
+  };
+
   /**
    * Von Mises plasticity with an additive split of the strain, isotropic
    * hardening R(p) and Prager's kinematic hardening, separately or mixed:
@@ -58,11 +71,11 @@ namespace stickslip
     bool
     is_geometrically_linear() const override;
 
-    ElasticConstants   constants;
-    IsotropicHardening hardening;
-    double             kinematic_modulus      = 0.;
-    std::string        kinematic_modulus_type = "slope";
-    std::string        strain_measure         = "small";
+    ElasticConstants     constants;
+    IsotropicHardening   hardening;
+    double               kinematic_modulus      = 0.;
+    KinematicModulusType kinematic_modulus_type = KinematicModulusType::slope;
+    StrainMeasure        strain_measure         = StrainMeasure::small;
 
   private:
     /// Uniaxial slope of the kinematic hardening, as given or 3/2 C.
