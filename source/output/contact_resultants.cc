@@ -138,30 +138,43 @@ namespace stickslip
 
 
   template <int dim>
-  std::vector<std::pair<std::string, double>>
+  std::vector<NamedResultant>
   ContactResultants<dim>::named_values() const
   {
     constexpr std::array<char, 3> axis{{'x', 'y', 'z'}};
 
-    std::vector<std::pair<std::string, double>> values;
-    const auto add_vector = [&](const std::string &name, const auto &vector) {
-      for (unsigned int d = 0; d < dim; ++d)
-        values.emplace_back(name + "_" + axis[d], vector[d]);
+    std::vector<NamedResultant> values;
+    const auto                  add_component = [&](const std::string    &vector,
+                                   const unsigned int    d,
+                                   const double          value,
+                                   const ResultantFamily family) {
+      values.push_back({vector + "_" + axis[d], value, family});
     };
-    add_vector("force", force());
-    add_vector("normal_force", normal_force);
-    add_vector("friction_force", friction_force);
+    const auto add_vector = [&](const std::string    &name,
+                                const auto           &vector,
+                                const ResultantFamily family) {
+      for (unsigned int d = 0; d < dim; ++d)
+        add_component(name, d, vector[d], family);
+    };
+    const auto add_single = [&](const std::string &name, const double value) {
+      values.push_back({name, value, ResultantFamily::single});
+    };
+    add_vector("force", force(), ResultantFamily::force);
+    add_vector("normal_force", normal_force, ResultantFamily::force);
+    add_vector("friction_force", friction_force, ResultantFamily::force);
     for (unsigned int d = (dim == 2 ? 2 : 0); d < 3; ++d)
-      values.emplace_back(std::string("moment_") + axis[d], moment[d]);
-    add_vector("centre_of_pressure", centre_of_pressure);
-    values.emplace_back("contact_area", current_area);
-    values.emplace_back("reference_contact_area", reference_area);
-    values.emplace_back("max_pressure", max_pressure);
-    values.emplace_back("friction_work", friction_work);
-    values.emplace_back("closed_points", n_closed());
-    values.emplace_back("stick_points", n_stick);
-    values.emplace_back("slip_points", n_slip);
-    values.emplace_back("unpaired_points", n_unpaired);
+      add_component("moment", d, moment[d], ResultantFamily::moment);
+    add_vector("centre_of_pressure",
+               centre_of_pressure,
+               ResultantFamily::position);
+    add_single("contact_area", current_area);
+    add_single("reference_contact_area", reference_area);
+    add_single("max_pressure", max_pressure);
+    add_single("friction_work", friction_work);
+    add_single("closed_points", n_closed());
+    add_single("stick_points", n_stick);
+    add_single("slip_points", n_slip);
+    add_single("unpaired_points", n_unpaired);
     return values;
   }
 

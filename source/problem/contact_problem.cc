@@ -372,18 +372,14 @@ namespace stickslip
   ContactProblem<dim>::check_bodies_are_held()
   {
     std::string text;
-    for (const std::string &motion : free_motions())
+    for (const FreeMotion &motion : free_motions())
       {
-        const auto moves = [&motion](const std::string &body) {
-          return motion.find("'" + body + "'") != std::string::npos;
-        };
         bool may_be_held_by_contact = false;
         for (const auto &pair : contact_assembler->contact_pairs())
-          if (moves(pair->parameters.slave_body) ||
-              moves(pair->parameters.master_body))
+          if (pair->parameters.involves(motion.body))
             may_be_held_by_contact = pair->has_to_hold = true;
         if (!may_be_held_by_contact)
-          text += "\n  " + motion;
+          text += "\n  " + motion.text();
       }
     if (!text.empty())
       throw UserError(

@@ -2,7 +2,6 @@
 
 #include <stickslip/contact/results/contact_results.h>
 
-#include <stickslip/output/contact_resultants.h>
 #include <stickslip/output/material_fields.h>
 
 #include <algorithm>
@@ -34,18 +33,21 @@ namespace stickslip
 
 
   void
-  FinalResults::add_of_pair(const std::string &pair,
-                            const std::string &name,
-                            const double       value)
+  FinalResults::add_of_pair(const std::string    &pair,
+                            const NamedResultant &resultant)
   {
-    const std::string full     = pair + "." + name;
-    const bool        is_force = name.find("force") != std::string::npos;
-    const bool is_vector = name.size() > 2 && name[name.size() - 2] == '_';
-    add(is_force    ? "force"
-        : is_vector ? full.substr(0, full.size() - 2)
-                    : full,
-        full,
-        value);
+    const std::string full_name = pair + "." + resultant.name;
+    switch (resultant.family)
+      {
+        case ResultantFamily::force:
+          return add("force", full_name, resultant.value);
+        case ResultantFamily::moment:
+          return add(pair + ".moment", full_name, resultant.value);
+        case ResultantFamily::position:
+          return add(pair + ".position", full_name, resultant.value);
+        case ResultantFamily::single:
+          return add(full_name, full_name, resultant.value);
+      }
   }
 
 
@@ -88,8 +90,8 @@ namespace stickslip
                                  parameters.contact_pairs.size(),
                                  problem.contact().get_communicator());
     for (unsigned int p = 0; p < resultants.size(); ++p)
-      for (const auto &[name, value] : resultants[p].named_values())
-        results.add_of_pair(parameters.contact_pairs[p].first, name, value);
+      for (const NamedResultant &resultant : resultants[p].named_values())
+        results.add_of_pair(parameters.contact_pairs[p].first, resultant);
     return results;
   }
 

@@ -35,8 +35,9 @@ namespace stickslip
         resultant_table.add("step", step);
         resultant_table.add("time", time);
         for (unsigned int p = 0; p < resultants.size(); ++p)
-          for (const auto &[name, value] : resultants[p].named_values())
-            resultant_table.add(pair_names[p] + "." + name, value);
+          for (const auto &resultant : resultants[p].named_values())
+            resultant_table.add(pair_names[p] + "." + resultant.name,
+                                resultant.value);
         resultant_table.finish_row();
       }
     if (!reactions.empty())

@@ -27,14 +27,10 @@ namespace stickslip
     std::optional<FailureExplanation>
     free_body(const FailedStep<dim> &step, const MPI_Comm communicator)
     {
-      for (const std::string &motion : step.free_motions)
+      for (const FreeMotion &motion : step.free_motions)
         {
           const auto touches_body = [&](const PointDiagnosis<dim> &point) {
-            const auto &pair = step.pairs[point.pair].second;
-            return motion.find("'" + pair.slave_body + "'") !=
-                     std::string::npos ||
-                   motion.find("'" + pair.master_body + "'") !=
-                     std::string::npos;
+            return step.pairs[point.pair].second.involves(motion.body);
           };
           const auto count = [&](const Property<dim> &has_property) {
             return find_group<dim>(
@@ -50,19 +46,18 @@ namespace stickslip
             count([](const auto &) { return true; });
           const unsigned int n_with_threshold =
             count([](const auto &point) { return point.has_threshold; });
-          const unsigned int n_stick      = count([](const auto &point) {
+          const unsigned int n_stick = count([](const auto &point) {
             return point.state == ContactState::stick;
           });
-          const bool         has_friction = std::any_of(
-            step.pairs.begin(), step.pairs.end(), [&](const auto &pair) {
-              return pair.second.has_friction() &&
-                     (motion.find("'" + pair.second.slave_body + "'") !=
-                        std::string::npos ||
-                      motion.find("'" + pair.second.master_body + "'") !=
-                        std::string::npos);
-            });
+          const bool         has_friction =
+            std::any_of(step.pairs.begin(),
+                        step.pairs.end(),
+                        [&](const auto &pair) {
+                          return pair.second.has_friction() &&
+                                 pair.second.involves(motion.body);
+                        });
           FailureExplanation explanation;
-          explanation.where = motion + ".";
+          explanation.where = motion.text() + ".";
           if (n_closed == 0)
             {
               explanation.name = "body held by nothing";

@@ -46,7 +46,7 @@ namespace stickslip
     parameters.check(path);
 
     const unsigned int body = bodies.index_of(parameters.body, path + "/Body");
-    const BoundaryConditionType type = parameters.condition_type();
+    const BoundaryConditionType type = parameters.type;
 
     if (bodies.bodies[body].is_rigid &&
         (type != BoundaryConditionType::rigid_motion ||
@@ -86,7 +86,7 @@ namespace stickslip
     const std::string           path = boundary_condition_path(name);
     PrescribedDisplacement<dim> condition;
     condition.name = name;
-    condition.type = parameters.condition_type();
+    condition.type = parameters.type;
     condition.body = bodies.index_of(parameters.body, path + "/Body");
     if (!parameters.boundary.empty())
       condition.boundary_ids = bodies.global_boundary_ids(parameters.body,
@@ -116,7 +116,7 @@ namespace stickslip
     const std::string path = boundary_condition_path(name);
     Load<dim>         load;
     load.name = name;
-    load.type = parameters.condition_type();
+    load.type = parameters.type;
     load.body = bodies.index_of(parameters.body, path + "/Body");
     if (load.type != BoundaryConditionType::body_force)
       load.boundary_ids = bodies.global_boundary_ids(parameters.body,

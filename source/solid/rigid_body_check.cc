@@ -1,6 +1,7 @@
+#include <stickslip/solid/rigid_body_check.h>
+
 #include <stickslip/base/user_error.h>
 
-#include <stickslip/solid/boundary_conditions.h>
 #include <stickslip/solid/rigid_body_modes.h>
 
 #include <deal.II/base/mpi.h>
@@ -63,10 +64,11 @@ namespace stickslip
 
 
   template <int dim>
-  std::vector<std::string>
-  BoundaryConditions<dim>::unheld_rigid_motions(
-    const Mapping<dim>    &mapping,
-    const DoFHandler<dim> &dof_handler) const
+  std::vector<FreeMotion>
+  free_rigid_motions(const BoundaryConditions<dim> &conditions,
+                     const Bodies                  &bodies,
+                     const Mapping<dim>            &mapping,
+                     const DoFHandler<dim>         &dof_handler)
   {
     const Triangulation<dim> &triangulation = dof_handler.get_triangulation();
     const MPI_Comm            communicator  = dof_handler.get_communicator();
@@ -76,17 +78,22 @@ namespace stickslip
       modes.emplace_back(box.first, box.second);
 
     std::string error;
-    for (const auto &node : find_held_nodes(
-           mapping, dof_handler, bodies, displacements, 0., error))
+    for (const auto &node :
+         find_held_nodes(mapping,
+                         dof_handler,
+                         bodies,
+                         conditions.prescribed_displacements(),
+                         0.,
+                         error))
       for (const auto &row : node.second.rows)
         modes[node.second.body].hold(node.second.position, row.direction);
     throw_collectively(error, communicator);
 
-    for (const Load<dim> &load : all_loads)
+    for (const Load<dim> &load : conditions.loads())
       if (load.type == BoundaryConditionType::spring)
         hold_by_spring(load, triangulation, modes[load.body]);
 
-    for (const Periodicity &pair : all_periodicities)
+    for (const auto &pair : conditions.periodicities())
       {
         const Tensor<1, dim> offset =
           mean_face_position(triangulation, pair.second) -
@@ -94,24 +101,27 @@ namespace stickslip
         modes[pair.body].tie(offset);
       }
 
-    std::vector<std::string> motions;
+    std::vector<FreeMotion> motions;
     for (unsigned int b = 0; b < bodies.bodies.size(); ++b)
       if (!bodies.bodies[b].is_rigid)
         {
           modes[b].sum_over_ranks(communicator);
           for (const std::string &motion : modes[b].unheld())
-            motions.push_back("body '" + bodies.bodies[b].name +
-                              "': " + motion);
+            motions.push_back({bodies.bodies[b].name, motion});
         }
     return motions;
   }
 
 
 
-  template std::vector<std::string>
-  BoundaryConditions<2>::unheld_rigid_motions(const Mapping<2> &,
-                                              const DoFHandler<2> &) const;
-  template std::vector<std::string>
-  BoundaryConditions<3>::unheld_rigid_motions(const Mapping<3> &,
-                                              const DoFHandler<3> &) const;
+  template std::vector<FreeMotion>
+  free_rigid_motions(const BoundaryConditions<2> &,
+                     const Bodies &,
+                     const Mapping<2> &,
+                     const DoFHandler<2> &);
+  template std::vector<FreeMotion>
+  free_rigid_motions(const BoundaryConditions<3> &,
+                     const Bodies &,
+                     const Mapping<3> &,
+                     const DoFHandler<3> &);
 } // namespace stickslip

@@ -20,7 +20,7 @@ namespace
     StatusCycle                      cycle;
     std::vector<PointDiagnosis<2>>   points;
     NamedList<ContactPairParameters> pairs;
-    std::vector<std::string>         free_motions;
+    std::vector<FreeMotion>          free_motions;
 
     Traces()
       : pairs(2)
@@ -117,7 +117,7 @@ namespace
     Traces singular;
     singular.cause = FailureCause::singular;
     explain("nothing closed", singular);
-    singular.free_motions = {"body 'shoe': translation along x"};
+    singular.free_motions = {{"shoe", "translation along x"}};
     explain("free body", singular);
     singular.set_states(ContactState::slip, false);
     explain("free body without pressure", singular);

@@ -143,8 +143,9 @@ namespace
     const auto faces = make_faces<dim>(5, degree);
     const auto resultants =
       compute_contact_resultants<dim>(faces, 2, MPI_COMM_WORLD);
-    for (const auto &[name, value] : resultants[0].named_values())
-      out << "  " << name << " = " << rounded(value) << std::endl;
+    for (const auto &resultant : resultants[0].named_values())
+      out << "  " << resultant.name << " = " << rounded(resultant.value)
+          << std::endl;
     out << "  points " << resultants[0].n_points
         << ", of the second pair: " << resultants[1].n_points << std::endl;
 
@@ -173,9 +174,9 @@ namespace
     OutputParameters parameters;
     parameters.directory      = directory;
     parameters.contact_points = true;
-    for (const std::string format : {"vtu", "hdf5"})
+    for (const auto &[format, value] : all_field_formats())
       {
-        parameters.format = format;
+        parameters.format = value;
         ContactOutput<dim> output(parameters, MPI_COMM_WORLD);
         output.write(dim, degree, faces);
         // Surfaces may be empty on some ranks, and on all.
@@ -332,10 +333,10 @@ namespace
 
     OutputParameters parameters;
     parameters.directory = directory;
-    for (const std::string format : {"vtu", "hdf5"})
+    for (const auto &[format, value] : all_field_formats())
       for (const bool deformed : {false, true})
         {
-          parameters.format        = format;
+          parameters.format        = value;
           parameters.deformed      = deformed;
           parameters.grouped_files = deformed ? 2 : 1;
           FieldOutput<dim> output(parameters, bodies, MPI_COMM_WORLD);
@@ -421,7 +422,7 @@ namespace
   test_progress(ConditionalOStream &out)
   {
     std::ostringstream text;
-    Progress           progress("progress", 0., 2., MPI_COMM_WORLD, text);
+    Progress progress(Verbosity::progress, 0., 2., MPI_COMM_WORLD, text);
     for (unsigned int step = 1; step <= 25; ++step)
       progress.accepted_step(step, 0.08 * step, "3 Newton iterations");
     progress.rejected_step(2.1, "Newton: no convergence", 0.04);

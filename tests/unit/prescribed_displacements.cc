@@ -118,10 +118,12 @@ namespace
           Utilities::MPI::min(smallest, MPI_COMM_WORLD) > 1.);
     print(case_name<dim>("Newton converges beside a rigid body", 1),
           problem.solve(1., 7) < 1e-12);
-    for (const std::string &motion :
-         problem.boundary_conditions->unheld_rigid_motions(problem.mapping,
-                                                           problem.dof_handler))
-      print(motion);
+    for (const FreeMotion &motion :
+         free_rigid_motions(*problem.boundary_conditions,
+                            problem.bodies,
+                            problem.mapping,
+                            problem.dof_handler))
+      print(motion.text());
   }
 
 
@@ -133,10 +135,12 @@ namespace
     Problem<dim> problem(1);
     problem.finish(steel<LinearElastic>(), conditions);
     std::string text;
-    for (const std::string &motion :
-         problem.boundary_conditions->unheld_rigid_motions(problem.mapping,
-                                                           problem.dof_handler))
-      text += motion + "; ";
+    for (const FreeMotion &motion :
+         free_rigid_motions(*problem.boundary_conditions,
+                            problem.bodies,
+                            problem.mapping,
+                            problem.dof_handler))
+      text += motion.text() + "; ";
     print(text.empty() ? "all held" : text);
   }
 

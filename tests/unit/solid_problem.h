@@ -10,6 +10,7 @@
 
 #include <stickslip/solid/linear_elastic.h>
 #include <stickslip/solid/plane_stress.h>
+#include <stickslip/solid/rigid_body_check.h>
 #include <stickslip/solid/saint_venant_kirchhoff.h>
 #include <stickslip/solid/solid_assembler.h>
 
@@ -94,7 +95,7 @@ namespace solid_test
   {
     BoundaryConditionParameters parameters;
     parameters.body     = "block";
-    parameters.type     = type;
+    parameters.type     = value_of(type, all_boundary_condition_types());
     parameters.boundary = boundary;
     parameters.value    = value;
     return parameters;

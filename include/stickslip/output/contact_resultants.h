@@ -13,6 +13,23 @@
 
 namespace stickslip
 {
+  /// Resultants that are like each other in unit and size.
+  enum class ResultantFamily
+  {
+    force,    ///< of all pairs
+    moment,   ///< of one pair
+    position, ///< of one pair
+    single    ///< like no other
+  };
+
+  /// A resultant as a column of a table.
+  struct NamedResultant
+  {
+    std::string     name;
+    double          value;
+    ResultantFamily family;
+  };
+
   /**
    * What one contact pair transmits, as sums over its contact points. Forces
    * act on the slave; in 2D they are per unit thickness. Closed points are
@@ -51,7 +68,7 @@ namespace stickslip
     }
 
     /// Columns for a statistics table, named "force_x", "contact_area", ...
-    std::vector<std::pair<std::string, double>>
+    std::vector<NamedResultant>
     named_values() const;
   };
 

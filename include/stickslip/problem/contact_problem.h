@@ -17,6 +17,7 @@
 
 #include <stickslip/solid/boundary_conditions.h>
 #include <stickslip/solid/material_parameters.h>
+#include <stickslip/solid/rigid_body_check.h>
 #include <stickslip/solid/solid_assembler.h>
 #include <stickslip/solid/support_forces.h>
 
@@ -147,13 +148,14 @@ namespace stickslip
     void
     restore();
 
-    /// Rigid motions that no boundary condition holds
-    /// (BoundaryConditions::unheld_rigid_motions).
-    std::vector<std::string>
+    /// Rigid motions that no boundary condition prevents. Collective.
+    std::vector<FreeMotion>
     free_motions() const
     {
-      return boundary_conditions.unheld_rigid_motions(dofs.mapping,
-                                                      dofs.dof_handler);
+      return free_rigid_motions(boundary_conditions,
+                                mesh.bodies,
+                                dofs.mapping,
+                                dofs.dof_handler);
     }
 
     /// Throws UserError for bodies that nothing can hold, and tells contact

@@ -7,6 +7,8 @@
 #include <stickslip/contact/cycling/point_diagnosis.h>
 #include <stickslip/contact/point/contact_parameters.h>
 
+#include <stickslip/solid/rigid_body_check.h>
+
 #include <stickslip/strategy/newton_parameters.h>
 #include <stickslip/strategy/newton_problem.h>
 
@@ -26,8 +28,7 @@ namespace stickslip
     StatusCycle                             cycle;  ///< of all points
     const std::vector<PointDiagnosis<dim>> &points; ///< of this rank
     const NamedList<ContactPairParameters> &pairs;
-    /// Rigid motions that contact alone can hold: "body 'x': translation ...".
-    std::vector<std::string> free_motions;
+    std::vector<FreeMotion> free_motions; ///< that contact alone can prevent
   };
 
 

@@ -1,6 +1,7 @@
 #ifndef stickslip_simulation_final_results_h
 #define stickslip_simulation_final_results_h
 
+#include <stickslip/output/contact_resultants.h>
 #include <stickslip/output/point_values.h>
 
 #include <stickslip/problem/contact_problem.h>
@@ -18,7 +19,7 @@ namespace stickslip
 {
   /**
    * The results that a run prints at its end. They do not depend on the number
-   * of ranks: six digits, and what is roundoff beside its like is zero.
+   * of ranks: six digits, and what is roundoff relative to its like is zero.
    */
   class FinalResults
   {
@@ -30,9 +31,7 @@ namespace stickslip
     /// A resultant of the contact pair @p pair. Forces of all pairs are
     /// compared with each other, other vectors with their components.
     void
-    add_of_pair(const std::string &pair,
-                const std::string &name,
-                const double       value);
+    add_of_pair(const std::string &pair, const NamedResultant &resultant);
 
     const NamedValues &
     values() const

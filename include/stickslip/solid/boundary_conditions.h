@@ -73,17 +73,6 @@ namespace stickslip
     add_periodicity(const DoFHandler<dim> &dof_handler,
                     Constraints           &constraints) const;
 
-    /**
-     * The rigid motions of the deformable bodies that no prescribed
-     * displacement, spring or periodicity prevents, for example "body 'punch':
-     * rotation about z" (rotations are about the body's centre, combined with
-     * a translation if it is held elsewhere). Contact is not considered.
-     * Collective; the same on all ranks.
-     */
-    std::vector<std::string>
-    unheld_rigid_motions(const Mapping<dim>    &mapping,
-                         const DoFHandler<dim> &dof_handler) const;
-
     const std::vector<Load<dim>> &
     loads() const
     {

@@ -153,6 +153,13 @@ namespace stickslip
     void
     check(const std::string &path) const;
 
+    /// Whether one of the pair's surfaces belongs to @p body.
+    bool
+    involves(const std::string &body) const
+    {
+      return slave_body == body || master_body == body;
+    }
+
     /// True if the pair carries tangential traction.
     bool
     has_friction() const
