@@ -13,6 +13,12 @@ namespace stickslip
 {
   namespace
   {
+    /// Directions that GMRES keeps before it restarts; each takes the memory of
+    /// two solutions.
+    constexpr unsigned int krylov_vectors = 60;
+
+
+
     /// Iterations more than the best ones that never count as slow.
     constexpr unsigned int usual_variation = 3;
 
@@ -180,8 +186,7 @@ namespace stickslip
   {
     SolverControl control(max_iterations, tolerance, false, false);
     SolverFGMRES<LA::BlockVector> solver(
-      control,
-      SolverFGMRES<LA::BlockVector>::AdditionalData(parameters.krylov_vectors));
+      control, SolverFGMRES<LA::BlockVector>::AdditionalData(krylov_vectors));
     converged = true;
     try
       {

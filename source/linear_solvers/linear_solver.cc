@@ -1,5 +1,6 @@
 #include <stickslip/linear_solvers/linear_solver.h>
 
+#include <stickslip/base/expert_parameter.h>
 #include <stickslip/base/registry.h>
 #include <stickslip/base/user_error.h>
 
@@ -55,44 +56,41 @@ namespace stickslip
                         linear_solver_registry().selection()));
     prm.add_parameter("Largest direct system",
                       largest_direct_system,
-                      "automatic: unknowns up to which MUMPS is used; "
-                      "'automatic' takes what was measured to be faster.");
+                      expert(
+                        "automatic: unknowns up to which MUMPS is used; "
+                        "'automatic' takes what was measured to be faster."));
     prm.add_parameter(
       "Relative tolerance",
       relative_tolerance,
-      "block AMG: of the residual, beside the right hand side. Early "
-      "Newton iterations may need less ('Forcing').",
+      expert(
+        "block AMG: of the residual, relative to the right-hand side. Early "
+        "Newton iterations may need less ('Forcing')."),
       Patterns::Double(1e-14, 0.1));
     prm.add_parameter("Maximum iterations",
                       max_iterations,
-                      "block AMG: after these the iteration counts as failed.",
+                      expert("block AMG: after these the solve has failed."),
                       Patterns::Integer(1));
-    prm.add_parameter("Krylov vectors",
-                      krylov_vectors,
-                      "block AMG: GMRES starts anew when it holds so many "
-                      "(each takes the memory of two solutions).",
-                      Patterns::Integer(5));
     prm.add_parameter("Augmentation",
                       augmentation,
-                      "block AMG: stiffness that multigrid sees in closed "
-                      "contact, in units of that of the cells beside it. It "
-                      "changes iteration counts, not results.",
+                      expert(
+                        "block AMG: stiffness that multigrid sees in closed "
+                        "contact, relative to that of the adjacent cells. It "
+                        "changes iteration counts, not results."),
                       Patterns::Double(1e-6, 1e6));
     prm.add_parameter(
       "Largest zone",
       largest_zone,
-      "block AMG: unknowns of the contact zone (multipliers and "
-      "what they touch) up to which it is factorised as one. A "
-      "larger one is solved in overlapping parts of about this size, "
-      "which may take more iterations.",
+      expert("block AMG: unknowns of the contact zone (multipliers and "
+             "what they touch) up to which it is factorised as a whole. A "
+             "larger one is solved in overlapping parts of about this size, "
+             "which may take more iterations."),
       Patterns::Integer(100));
     prm.add_parameter(
       "Rebuild factor",
       rebuild_factor,
-      "block AMG: the multigrid hierarchy is kept for the next "
-      "matrices until the contact state is another one or an "
-      "iteration is longer than the best one by this factor. 0: "
-      "made anew for each matrix.",
+      expert("block AMG: the multigrid hierarchy is kept for the next matrices "
+             "until the contact state changes or a solve takes more iterations "
+             "than the best one by this factor. 0: rebuilt for each matrix."),
       Patterns::Double(0.));
   }
 

@@ -1,5 +1,6 @@
 #include <stickslip/mesh/body_parameters.h>
 
+#include <stickslip/base/expert_parameter.h>
 #include <stickslip/base/user_error.h>
 #include <stickslip/mesh/condition_list.h>
 
@@ -47,8 +48,9 @@ namespace stickslip
                "Mesh format",
                mesh_format,
                all_mesh_formats(),
-               "Format of the mesh file; automatic goes by the extension "
-               "(.msh, .inp, .vtk, .ucd) and, for .inp, the contents.");
+               expert(
+                 "Format of the mesh file; automatic goes by the extension "
+                 "(.msh, .inp, .vtk, .ucd) and, for .inp, the contents."));
     prm.add_parameter("Coordinates",
                       coordinates,
                       "New coordinates of the vertices, \"fx; fy\" or "

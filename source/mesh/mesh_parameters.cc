@@ -1,5 +1,6 @@
 #include <stickslip/mesh/mesh_parameters.h>
 
+#include <stickslip/base/expert_parameter.h>
 #include <stickslip/base/user_error.h>
 
 namespace stickslip
@@ -21,21 +22,22 @@ namespace stickslip
                "Partitioner",
                partitioner,
                all_partitioners(),
-               "How cells are distributed: p4est (along a space-filling "
-               "curve) or METIS "
-               "(graph partitioning).");
+               expert("How cells are distributed: p4est (along a space-filling "
+                      "curve) or METIS "
+                      "(graph partitioning)."));
     prm.add_parameter("Global refinements",
                       global_refinements,
                       "Uniform refinements of all bodies, after those of each "
                       "body.",
                       Patterns::Integer(0, 12));
-    prm.add_parameter("Contact weight",
-                      contact_weight,
-                      "What a slave face costs, in cells: with several ranks "
-                      "cells are distributed such that all have the same work. "
-                      "0: only cells count. A run can be continued (--restart) "
-                      "with another weight, which distributes it again.",
-                      Patterns::Double(0., 1000.));
+    prm.add_parameter(
+      "Contact weight",
+      contact_weight,
+      expert("What a slave face costs, in cells: with several ranks "
+             "cells are distributed such that all have the same work. "
+             "0: only cells count. A run can be continued (--restart) "
+             "with another weight, which distributes it again."),
+      Patterns::Double(0., 1000.));
   }
 
 } // namespace stickslip

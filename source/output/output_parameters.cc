@@ -1,5 +1,6 @@
 #include <stickslip/output/output_parameters.h>
 
+#include <stickslip/base/expert_parameter.h>
 #include <stickslip/base/user_error.h>
 
 namespace stickslip
@@ -83,9 +84,10 @@ namespace stickslip
                "and on contact surfaces of 2D bodies.");
     prm.add_parameter("Grouped files",
                       grouped_files,
-                      "Number of VTU files per step that the ranks share; 0: "
-                      "one file per rank, as always for higher order cells "
-                      "in 3D.",
+                      expert(
+                        "Number of VTU files per step that the ranks share; 0: "
+                        "one file per rank, as always for higher order cells "
+                        "in 3D."),
                       Patterns::Integer(0));
     prm.add_parameter("Deformed",
                       deformed,

@@ -1,5 +1,7 @@
 #include <stickslip/problem/acceptance.h>
 
+#include <stickslip/base/expert_parameter.h>
+
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -107,17 +109,21 @@ namespace stickslip
     prm.add_parameter(
       "Residual tolerance",
       residual_tolerance,
-      "Largest equilibrium residual and weak contact condition of a converged "
-      "step when nothing is frozen any more (both relative, as in Newton).",
+      expert(
+        "Largest equilibrium residual and weak contact condition of a "
+        "converged "
+        "step when nothing is frozen any more (both relative, as in Newton)."),
       Patterns::Double(0.));
     prm.add_parameter(
       "Law tolerance",
       law_tolerance,
-      "Largest violation of the contact law at a point of a converged step: "
-      "of Signorini's conditions over the largest pressure of the pair and of "
-      "Coulomb's law over the largest threshold, gap and slip counting with "
-      "the stiffness of the contact. Pairs with more contact points than "
-      "multipliers satisfy the law weakly and are exempt.",
+      expert(
+        "Largest violation of the contact law at a point of a converged step: "
+        "of Signorini's conditions over the largest pressure of the pair and "
+        "of "
+        "Coulomb's law over the largest threshold, gap and slip counting with "
+        "the stiffness of the contact. Pairs with more contact points than "
+        "multipliers satisfy the law weakly and are exempt."),
       Patterns::Double(0.));
   }
 

@@ -1,5 +1,6 @@
 #include <stickslip/simulation/load_stepping.h>
 
+#include <stickslip/base/expert_parameter.h>
 #include <stickslip/base/user_error.h>
 
 #include <algorithm>
@@ -50,19 +51,21 @@ namespace stickslip
                       maximum_step,
                       "Steps do not grow beyond this. 0: the initial step.",
                       Patterns::Double(0.));
-    prm.add_parameter("Cut factor",
-                      cut_factor,
-                      "A failed step is multiplied by this. Failed is also one "
-                      "that takes more than a hundred Newton iterations and "
-                      "three times those of any of the last three steps, "
-                      "unless the cut step would be too small.",
-                      Patterns::Double(0.01, 0.99));
-    prm.add_parameter("Growth factor",
-                      growth_factor,
-                      "After an easy step the next one is multiplied by this; "
-                      "after a cut when two steps in a row have been easy, or "
-                      "up to eight if larger steps keep failing.",
-                      Patterns::Double(1.));
+    prm.add_parameter(
+      "Cut factor",
+      cut_factor,
+      expert(
+        "A failed step is multiplied by this. A step also fails if it takes "
+        "more than a hundred Newton iterations and three times those of any of "
+        "the last three steps, unless the cut step would be too small."),
+      Patterns::Double(0.01, 0.99));
+    prm.add_parameter(
+      "Growth factor",
+      growth_factor,
+      expert("After an easy step the next one is multiplied by this; "
+             "after a cut when two steps in a row have been easy, or "
+             "up to eight if larger steps keep failing."),
+      Patterns::Double(1.));
     prm.add_parameter("Easy iterations",
                       easy_iterations,
                       "A step is easy if it took at most this many Newton "
@@ -70,10 +73,11 @@ namespace stickslip
                       Patterns::Integer(0));
     prm.add_parameter("Predictor",
                       predictor,
-                      "Where Newton starts in a step. linear: the "
-                      "displacements go on as in the "
-                      "last step (not after a cut or a requested time). none: "
-                      "the accepted state.",
+                      expert(
+                        "Where Newton starts in a step. linear: the "
+                        "displacements are extrapolated from the last step "
+                        "(not after a cut or a requested time). none: "
+                        "the accepted state."),
                       Patterns::Selection("linear|none"));
     prm.add_parameter(
       "Requested times",
@@ -90,7 +94,7 @@ namespace stickslip
       "with the longitudinal modulus M of each material, the 'End time' T and "
       "the diagonal L of the model. Small values (1e-7 to 1e-4) suffice, since "
       "steps become small where a body snaps. What these forces dissipate is "
-      "'stabilization_work' among the results and must be small beside "
+      "'stabilization_work' among the results and must be small compared with "
       "'external_work'. 0: none.",
       Patterns::Double(0.));
     prm.leave_subsection();

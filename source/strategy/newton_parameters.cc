@@ -1,5 +1,7 @@
 #include <stickslip/strategy/newton_parameters.h>
 
+#include <stickslip/base/expert_parameter.h>
+
 namespace stickslip
 {
   const Choices<LineSearch> &
@@ -36,8 +38,8 @@ namespace stickslip
       "Equilibrium tolerance",
       equilibrium_tolerance,
       "Largest ||F_int + F_contact - F_ext|| / max(||F_ext||, ||reactions||) "
-      "(eq. 25 of the paper). A hundred times as much will do after a full "
-      "step that has changed the state by roundoff only.",
+      "(eq. 25 of the paper). A hundred times as much is sufficient after a "
+      "full step that has changed the state by roundoff only.",
       Patterns::Double(0.));
     prm.add_parameter(
       "Contact tolerance",
@@ -62,8 +64,9 @@ namespace stickslip
                "residual smaller, as in a cycle of contact statuses.");
     prm.add_parameter("Max halvings",
                       max_halvings,
-                      "How often a step is halved by the line search, or "
-                      "because it inverts a cell.",
+                      expert(
+                        "How often a step is halved by the line search, or "
+                        "because it inverts a cell."),
                       Patterns::Integer(0, 30));
     add_choice(
       prm,

@@ -1,5 +1,7 @@
 #include <stickslip/strategy/solution_strategy.h>
 
+#include <stickslip/base/expert_parameter.h>
+
 #include <limits>
 #include <map>
 
@@ -36,21 +38,23 @@ namespace stickslip
   {
     prm.add_parameter("Treatment",
                       treatment,
-                      "Only with 'Name = custom'. newton: the " + what +
+                      expert(
+                        "Only with 'Name = custom'. newton: the " + what +
                         " is recomputed in every residual and linearized. "
                         "fixed point: it is frozen during Newton and refreshed "
-                        "in a loop.",
+                        "in a loop."),
                       Patterns::Selection("newton|fixed point"));
     prm.add_parameter(
       "Tolerance",
       tolerance,
-      "The fixed-point loop has converged when its change is at "
-      "most this: " +
-        change + ".",
+      expert("The fixed-point loop has converged when its change is at "
+             "most this: " +
+             change + "."),
       Patterns::Double(0.));
     prm.add_parameter("Max iterations",
                       max_iterations,
-                      "Largest number of passes of its fixed-point loop.",
+                      expert(
+                        "Largest number of passes of its fixed-point loop."),
                       Patterns::Integer(1));
   }
 
@@ -62,10 +66,11 @@ namespace stickslip
     prm.add_parameter(
       "Acceleration",
       acceleration,
-      "How the fixed-point loop finds the start of its next pass. Anderson: "
-      "the combination of the last passes with the smallest residual, which "
-      "settles also where plain passes contract slowly or not at all. none: "
-      "the result of the last pass, as in the paper.",
+      expert(
+        "How the fixed-point loop finds the start of its next pass. Anderson: "
+        "the combination of the last passes with the smallest residual, which "
+        "settles also where plain passes contract slowly or not at all. none: "
+        "the result of the last pass, as in the paper."),
       Patterns::Selection("Anderson|none"));
   }
 
@@ -82,15 +87,16 @@ namespace stickslip
       "in Newton. automatic: GNM, and in steps where it cycles, stagnates or "
       "ends in a wrong state PNM and then FPM. GCP: fixed points on geometry "
       "and threshold, statuses from a projected conjugate gradient in the "
-      "multipliers; for comparison, needs 'Quadrature = nodal' and bodies "
-      "that are held without contact. custom: what the Treatment of each "
+      "multipliers; for comparison, needs 'Quadrature = nodal' and bodies that "
+      "are supported without contact. custom: what the Treatment of each "
       "quantity says.",
       Patterns::Selection("automatic|FPM|PNM|GNM|GCP|custom"));
     prm.add_parameter(
       "Tangent",
       tangent,
-      "consistent: all geometric terms of a live geometry, converges "
-      "quadratically. quasi: without the second variations (paper, 3.2.4).",
+      expert(
+        "consistent: all geometric terms of a live geometry, converges "
+        "quadratically. quasi: without the second variations (paper, 3.2.4)."),
       Patterns::Selection("consistent|quasi"));
     prm.enter_subsection("Geometry");
     geometry.add_parameters(

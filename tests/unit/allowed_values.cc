@@ -6,7 +6,9 @@
 #include <stickslip/base/allowed_values.h>
 
 #include <iostream>
-#include <map>
+#include <string>
+#include <utility>
+#include <vector>
 
 using namespace dealii;
 using namespace stickslip;

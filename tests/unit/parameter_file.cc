@@ -13,8 +13,8 @@
 #include <fstream>
 #include <functional>
 #include <iostream>
-#include <memory>
 #include <map>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <vector>

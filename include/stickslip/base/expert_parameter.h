@@ -15,7 +15,7 @@ namespace stickslip
   /**
    * Marks a parameter as one for experts where it is declared:
    * @code
-   *   prm.add_parameter("Krylov vectors", krylov_vectors, expert("..."));
+   *   prm.add_parameter("Largest zone", largest_zone, expert("..."));
    * @endcode
    * Expert parameters change how a solution is found, not what is solved; few
    * cases need them. They are printed on request only. Messages about unknown

@@ -18,7 +18,6 @@ namespace stickslip
     std::string  name                  = "automatic";
     double       relative_tolerance    = 1e-8;
     unsigned int max_iterations        = 200;
-    unsigned int krylov_vectors        = 60;
     double       augmentation          = 4.;
     double       rebuild_factor        = 1.5;
     unsigned int largest_zone          = 100000;

@@ -1,5 +1,7 @@
 #include <stickslip/contact/cycling/cycling_cures.h>
 
+#include <stickslip/base/expert_parameter.h>
+
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/mpi.h>
 
@@ -51,17 +53,19 @@ namespace stickslip
     prm.add_parameter(
       "Adapt r",
       adapt_scales,
-      "Points whose statuses were proven to go round in circles get another "
-      "regularization parameter, the nearest to the stiffness of the contact "
-      "that gives the last two states the same status (paper, eqs. 29 and 32). "
-      "If a solve fails all the same, all take that stiffness. Only with "
-      "'Quadrature = nodal', where the answer does not depend on it.");
-    prm.add_parameter(
-      "Hold statuses",
-      hold_statuses,
-      "Points that no other r helps keep one of their statuses until the rest "
-      "has converged; all statuses are then set free again before a state is "
-      "accepted.");
+      expert(
+        "Points whose statuses were proven to cycle get another "
+        "regularization parameter, the nearest to the stiffness of the contact "
+        "that gives the last two states the same status (paper, eqs. 29 and "
+        "32). "
+        "If a solve fails all the same, all take that stiffness. Only with "
+        "'Quadrature = nodal', where the answer does not depend on it."));
+    prm.add_parameter("Hold statuses",
+                      hold_statuses,
+                      expert(
+                        "Points that cycle with any other r, too, have a fixed "
+                        "status until the rest has converged; all statuses are "
+                        "then free again before a state is accepted."));
   }
 
 

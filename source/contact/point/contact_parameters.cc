@@ -1,5 +1,6 @@
 #include <stickslip/contact/point/contact_parameters.h>
 
+#include <stickslip/base/expert_parameter.h>
 #include <stickslip/base/user_error.h>
 
 #include <deal.II/base/utilities.h>
@@ -104,61 +105,74 @@ namespace stickslip
       "Scale",
       scale,
       all_regularization_scales(),
-      "automatic: r_n and r_t are dimensionless factors. At each contact point "
-      "r_n multiplies k = 1/(h_s/M_s + h_m/M_m), with h the height of the "
-      "slave "
-      "and master cell and M their longitudinal moduli, and r_t multiplies "
-      "k/(mu p), with p the pressure there. bound: r_n multiplies 100 M and "
-      "r_t multiplies 10 mu M (mu = 1 for Tresca), with M the smallest modulus "
-      "of the pair: the upper bounds of the paper (eq. 27) as printed, numbers "
-      "that depend on the units of the case. plain: r_n is a number in "
-      "stress/length and r_t in 1/length.");
+      expert(
+        "automatic: r_n and r_t are dimensionless factors. At each contact "
+        "point "
+        "r_n multiplies k = 1/(h_s/M_s + h_m/M_m), with h the height of the "
+        "slave "
+        "and master cell and M their longitudinal moduli, and r_t multiplies "
+        "k/(mu p), with p the pressure there. bound: r_n multiplies 100 M and "
+        "r_t multiplies 10 mu M (mu = 1 for Tresca), with M the smallest "
+        "modulus "
+        "of the pair: the upper bounds of the paper (eq. 27) as printed, "
+        "numbers "
+        "that depend on the units of the case. plain: r_n is a number in "
+        "stress/length and r_t in 1/length."));
     prm.add_parameter(
       "r_n",
       r_n,
-      "Normal regularization parameter of the three roles (status, "
-      "augmentation, "
-      "law) that have no number of their own: a number or, unless 'Scale = "
-      "plain', automatic. That is 1 with 'Scale = bound' and where the contact "
-      "points are the multiplier nodes (the answer does not depend on it "
-      "there), and 0.01 for rules with more points than multipliers (the "
-      "answer drifts with it).");
+      expert(
+        "Normal regularization parameter of the three roles (status, "
+        "augmentation, "
+        "law) that have no number of their own: a number or, unless 'Scale = "
+        "plain', automatic. That is 1 with 'Scale = bound' and where the "
+        "contact "
+        "points are the multiplier nodes (the answer does not depend on it "
+        "there), and 0.01 for rules with more points than multipliers (the "
+        "answer drifts with it)."));
     prm.add_parameter(
       "r_t",
       r_t,
-      "Tangential regularization parameter of the three roles that have no "
-      "number of their own: a number or, unless 'Scale = plain', automatic. "
-      "That is 1 with 'Scale = bound' and where the contact points are the "
-      "multiplier nodes, and 0.25 for other rules (the answer drifts with it "
-      "there).");
+      expert(
+        "Tangential regularization parameter of the three roles that have no "
+        "number of their own: a number or, unless 'Scale = plain', automatic. "
+        "That is 1 with 'Scale = bound' and where the contact points are the "
+        "multiplier nodes, and 0.25 for other rules (the answer drifts with it "
+        "there)."));
     prm.add_parameter("r_n status",
                       r_n_status,
-                      "r_n in the contact status S_c(lambda_n - r_n d_n): a "
-                      "number or r_n.");
-    prm.add_parameter("r_n augmentation",
-                      r_n_augmentation,
-                      "r_n in the contact force lambda_n - r_n d_n: a number "
-                      "or r_n. With a value other than that of the status the "
-                      "force jumps where the status changes; only for nodal "
-                      "quadrature is that harmless.");
+                      expert(
+                        "r_n in the contact status S_c(lambda_n - r_n d_n): a "
+                        "number or r_n."));
+    prm.add_parameter(
+      "r_n augmentation",
+      r_n_augmentation,
+      expert("r_n in the contact force lambda_n - r_n d_n: a number "
+             "or r_n. With a value other than that of the status the "
+             "force jumps where the status changes; only for nodal "
+             "quadrature is that harmless."));
     prm.add_parameter("r_n law",
                       r_n_law,
-                      "r_n in the weak Signorini condition (scales its rows "
-                      "for open points): a number or r_n.");
-    prm.add_parameter("r_t status",
-                      r_t_status,
-                      "r_t in the slip status S_f(Lambda + r_t d_t): a number "
-                      "or r_t. Not above twice 'r_t law': points that slip "
-                      "against their traction would then satisfy the discrete "
-                      "equations. With nodal quadrature, where every point of "
-                      "a converged state is checked, that is a warning only.");
-    prm.add_parameter("r_t augmentation",
-                      r_t_augmentation,
-                      "r_t in the friction force Lambda + r_t d_t: a number or "
-                      "r_t.");
+                      expert(
+                        "r_n in the weak Signorini condition (scales its rows "
+                        "for open points): a number or r_n."));
+    prm.add_parameter(
+      "r_t status",
+      r_t_status,
+      expert("r_t in the slip status S_f(Lambda + r_t d_t): a number "
+             "or r_t. Not above twice 'r_t law': points that slip "
+             "against their traction would then satisfy the discrete "
+             "equations. With nodal quadrature, where every point of "
+             "a converged state is checked, that is a warning only."));
+    prm.add_parameter(
+      "r_t augmentation",
+      r_t_augmentation,
+      expert("r_t in the friction force Lambda + r_t d_t: a number or "
+             "r_t."));
     prm.add_parameter("r_t law",
                       r_t_law,
-                      "r_t in the weak Coulomb condition: a number or r_t.");
+                      expert(
+                        "r_t in the weak Coulomb condition: a number or r_t."));
   }
 
 
@@ -247,17 +261,18 @@ namespace stickslip
       "Threshold",
       threshold_form,
       all_threshold_forms(),
-      "Friction threshold while it is live: augmented is "
-      "-mu (lambda_n - r_n d_n), never negative at a closed point; plain is "
-      "the "
-      "paper's -mu lambda_n. Both are the same at the solution.");
+      expert(
+        "Friction threshold while it is live: augmented is "
+        "-mu (lambda_n - r_n d_n), never negative at a closed point; plain is "
+        "the "
+        "paper's -mu lambda_n. Both are the same at the solution."));
     add_choice(prm,
                "Multiplier space",
                multiplier_space,
                all_multiplier_spaces(),
-               "Multipliers on the slave faces: of the degree of the "
-               "displacement, or linear with nodes at the vertices (the "
-               "P2-P1 element if the displacement degree is 2).");
+               expert("Multipliers on the slave faces: of the degree of the "
+                      "displacement, or linear with nodes at the vertices (the "
+                      "P2-P1 element if the displacement degree is 2)."));
     add_choice(prm,
                "Quadrature",
                quadrature,
@@ -275,12 +290,13 @@ namespace stickslip
                "facet: the master facet's own normal. smoothed: "
                "interpolated from nodal averages, continuous across "
                "facets.");
-    prm.add_parameter("Smoothing angle",
-                      smoothing_angle,
-                      "Facets whose reference normals differ by more than this "
-                      "angle [degrees] are not averaged (sharp edges stay "
-                      "sharp).",
-                      Patterns::Double(0., 180.));
+    prm.add_parameter(
+      "Smoothing angle",
+      smoothing_angle,
+      expert("Facets whose reference normals differ by more than this "
+             "angle [degrees] are not averaged (sharp edges stay "
+             "sharp)."),
+      Patterns::Double(0., 180.));
     prm.add_parameter("Search distance",
                       search_distance,
                       "Slave points farther than this from the master are not "
@@ -289,27 +305,33 @@ namespace stickslip
     prm.add_parameter(
       "Projection tolerance",
       projection_tolerance,
-      "How far beyond the end of the master surface, as a fraction of the face "
-      "size, a slave point may lie sideways to be paired with it; 0.8 times "
-      "its distance from the master is added (so 5 times this in all for a "
-      "point level with the surface).",
+      expert(
+        "How far beyond the end of the master surface, as a fraction of the "
+        "face "
+        "size, a slave point may lie sideways to be paired with it; 0.8 times "
+        "its distance from the master is added (so 5 times this in all for a "
+        "point level with the surface)."),
       Patterns::Double(0.));
     prm.add_parameter(
       "Facet overlap",
       facet_overlap,
-      "Only where a load step has failed and is tried again: a point that then "
-      "changes its master facet six times keeps it until its projection is "
-      "this fraction of the facet outside (10 times as much after twelve "
-      "changes, 50 times after eighteen, 0.5 at most), also in later steps "
-      "while it is outside. Points at a kink between facets then do not hop "
-      "for ever. 0: never.",
+      expert(
+        "Only where a load step has failed and is tried again: a point that "
+        "then "
+        "changes its master facet six times keeps it until its projection is "
+        "this fraction of the facet outside (10 times as much after twelve "
+        "changes, 50 times after eighteen, 0.5 at most), also in later steps "
+        "while it is outside. Points at a kink between facets then do not "
+        "switch indefinitely. 0: never."),
       Patterns::Double(0., 0.2));
     prm.add_parameter(
       "End overlap",
       end_overlap,
-      "Likewise, a point at the end of the master surface that loses or finds "
-      "its partner four times keeps it until it is this fraction of the face "
-      "beyond the end. 0: never.",
+      expert(
+        "Likewise, a point at the end of the master surface that loses or "
+        "finds "
+        "its partner four times keeps it until it is this fraction of the face "
+        "beyond the end. 0: never."),
       Patterns::Double(0., 2.));
     prm.add_parameter("Gap offset",
                       gap_offset,
