@@ -31,6 +31,9 @@ CASES = {
     "unknown parameter": (
         "plate.prm", "subsection Contact\n subsection base\n set Fricton coefficient = 1\n end\nend",
         WRONG_INPUT, ["Fricton coefficient", "Did you mean 'Friction coefficient'", "case.prm:4"]),
+    "unknown expert parameter": (
+        "plate.prm", "subsection Contact\n subsection base\n set Facet overlp = 0\n end\nend",
+        WRONG_INPUT, ["Facet overlp", "Did you mean 'Facet overlap'", "'Normals'"]),
     "unknown section": ("plate.prm", "subsection Algoritm\nend", WRONG_INPUT, ["Algoritm", "Did you mean 'Algorithm'"]),
     "not a number": ("plate.prm", "set Degree = two", WRONG_INPUT, ["Degree", "two"]),
     "unknown choice": ("plate.prm", "subsection Algorithm\n set Name = GMN\nend", WRONG_INPUT, ["Algorithm/Name", "GMN", "FPM"]),

@@ -125,6 +125,15 @@ namespace
     explain("free body that slips", singular);
     singular.set_states(ContactState::stick, true);
     explain("body that sticks", singular);
+
+    // The floor is closed, but another body is free, which it does not touch.
+    singular.free_motions = {{"brick", "translation along y"}};
+    for (auto &point : singular.points)
+      if (point.pair == 1)
+        point.state = ContactState::open;
+    explain("free body of another pair", singular);
+    singular.free_motions = {{"floor", "translation along y"}};
+    explain("free master that sticks", singular);
   }
 
 
