@@ -36,14 +36,6 @@ namespace stickslip
 
 
 
-    bool
-    begins_with(const std::string &text, const std::string &beginning)
-    {
-      return text.compare(0, beginning.size(), beginning) == 0;
-    }
-
-
-
     DeclaredSection
     section_from_tree(const DeclarationTree       &tree,
                       const std::string           &mangled_path,
@@ -65,7 +57,7 @@ namespace stickslip
           if (!leaf("pattern_description").empty())
             {
               const std::string text      = leaf("documentation");
-              const bool        is_expert = begins_with(text, expert_mark);
+              const bool        is_expert = text.rfind(expert_mark, 0) == 0;
               section.parameters.push_back(
                 {name,
                  leaf("value"),

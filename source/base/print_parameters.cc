@@ -103,10 +103,11 @@ namespace stickslip
                           FirstDescriptions       &descriptions)
     {
       const std::string described = descriptions.section_of(parameter, path);
-      if (!described.empty())
-        return write_prm_comment(
-          out, indent, "See '" + described + "/" + parameter.name + "'.");
-      write_prm_comment(out, indent, parameter.documentation);
+      write_prm_comment(out,
+                        indent,
+                        described.empty()
+                          ? parameter.documentation
+                          : "See '" + described + "/" + parameter.name + "'.");
       write_prm_comment(out, indent, "Allowed: " + parameter.allowed_values());
     }
 
