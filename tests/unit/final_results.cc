@@ -24,10 +24,10 @@ namespace
   test_forces()
   {
     FinalResults results;
-    results.add_of_pair("upper", {"load_x", 3e-9, ResultantFamily::force});
-    results.add_of_pair("upper", {"load_y", 2., ResultantFamily::force});
-    results.add_of_pair("lower", {"force_x", 5e-9, ResultantFamily::force});
-    results.add_of_pair("lower", {"force_y", 3e-8, ResultantFamily::force});
+    results.add_of_pair("upper", {"load_x", 30., ResultantFamily::force});
+    results.add_of_pair("upper", {"load_y", 2e10, ResultantFamily::force});
+    results.add_of_pair("lower", {"force_x", 50., ResultantFamily::force});
+    results.add_of_pair("lower", {"force_y", 300., ResultantFamily::force});
     print("forces of two pairs", results);
   }
 
@@ -41,7 +41,7 @@ namespace
     FinalResults results;
     for (const std::string pair : {"upper", "lower"})
       {
-        const double size = pair == "upper" ? 1. : 1e-9;
+        const double size = pair == "upper" ? 1e10 : 10.;
         results.add_of_pair(pair,
                             {"moment_x", 1e3 * size, ResultantFamily::moment});
         results.add_of_pair(pair,
@@ -63,11 +63,10 @@ namespace
   test_single_values()
   {
     FinalResults results;
-    results.add_of_pair("pair", {"force_y", 1e6, ResultantFamily::force});
+    results.add_of_pair("pair", {"force_y", 1e16, ResultantFamily::force});
     results.add_of_pair("pair",
-                        {"friction_work", -1e-12, ResultantFamily::single});
-    results.add_of_pair("pair",
-                        {"work_force_x", 1e-12, ResultantFamily::single});
+                        {"friction_work", -5., ResultantFamily::single});
+    results.add_of_pair("pair", {"work_force_x", 7., ResultantFamily::single});
     print("single values", results);
   }
 
