@@ -32,7 +32,7 @@ def run_case(directory, overrides, exit_code=0):
 
 
 def script(name, *arguments):
-    return subprocess.run([sys.executable, "-B", str(source / "scripts" / name), *map(str, arguments)], capture_output=True, text=True)
+    return subprocess.run([str(source / "scripts" / name), *map(str, arguments)], capture_output=True, text=True)
 
 
 def report(*arguments):

@@ -60,7 +60,7 @@ def check(holds, what):
 
 
 def study(*arguments, **options):
-    return subprocess.run([sys.executable, "-B", str(script), *map(str, arguments)], capture_output=True, text=True,
+    return subprocess.run([str(script), *map(str, arguments)], capture_output=True, text=True,
                           env={**os.environ, "STICKSLIP": program}, **options)
 
 
@@ -129,12 +129,12 @@ def test_going_on():
 def test_interruption():
     pathlib.Path("long.toml").write_text(f'case = "{case}"\n[grid]\n"Contact/interface/Friction coefficient" = '
                                          "[0.1, 0.12, 0.14, 0.16, 0.18, 0.2]\n")
-    process = subprocess.Popen([sys.executable, "-B", str(script), "long.toml", "--jobs", "1"], start_new_session=True,
+    process = subprocess.Popen([str(script), "long.toml", "--jobs", "1"], start_new_session=True,
                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env={**os.environ, "STICKSLIP": program})
     deadline = time.time() + 120
     while not records("results/long") and process.poll() is None and time.time() < deadline:
         time.sleep(0.05)
-    os.killpg(process.pid, signal.SIGINT)  # as Ctrl-C does
+    os.killpg(process.pid, signal.SIGTERM)  # as a batch system does, and Ctrl-C with another signal
     errors = process.communicate()[1]
     done = records("results/long")
     check(process.returncode == 1 and "interrupted" in errors and "Traceback" not in errors, f"interrupted: {errors.strip()[-200:]}")
