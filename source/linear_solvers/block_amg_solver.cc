@@ -77,7 +77,7 @@ namespace stickslip
 
   BlockAmgSolver::BlockAmgSolver(const LinearSolverParameters &parameters)
     : parameters(parameters)
-    , zone(parameters.largest_zone)
+    , interface(parameters.largest_zone)
   {}
 
 
@@ -147,7 +147,7 @@ namespace stickslip
                     system.block(0, 0).get_mpi_communicator());
     residual.reinit(unscaled);
     if (has_multipliers)
-      zone.factorise(system, new_layout);
+      interface.factorise(system, new_layout);
     if (description->near_null_space != near_null_space || rebuild)
       build_hierarchy();
     else
@@ -172,7 +172,7 @@ namespace stickslip
     x.block(1) = 0.;
     apply(*matrix, residual, x);
     residual.sadd(-1., 1., unscaled);
-    zone.add_correction(residual, x);
+    interface.add_correction(residual, x);
   }
 
 

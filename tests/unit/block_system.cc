@@ -1,6 +1,6 @@
 // What block AMG is made of: rigid modes of coloured bodies, the linear space
-// below elements of degree 2, the augmented matrix and the contact zone; on a
-// tower of three blocks, separated by gaps or closed.
+// below elements of degree 2, the augmented matrix and the contact interface;
+// on a tower of three blocks, separated by gaps or closed.
 
 #include "case_problem.h"
 #include "print.h"
@@ -157,7 +157,7 @@ namespace
 
 
 
-  /// Closed contact: the augmented matrix and the zone.
+  /// Closed contact: the augmented matrix and the interface.
   template <int dim>
   void
   test_interface(const int degree)
@@ -190,12 +190,13 @@ namespace
           residual.block(0).l2_norm() > 0.1 * before &&
             residual.block(0).l2_norm() < 100. * before);
 
-    ZoneSolver zone(100000);
-    zone.factorise(K, true);
-    print("  unknowns of the zone: " + std::to_string(zone.n_unknowns()) +
-          " of " + std::to_string(K.m()));
+    InterfaceSolver interface(100000);
+    interface.factorise(K, true);
+    print(
+      "  unknowns of the interface: " + std::to_string(interface.n_unknowns()) +
+      " of " + std::to_string(K.m()));
     LA::BlockVector correction = problem.zero_state();
-    zone.add_correction(x, correction);
+    interface.add_correction(x, correction);
     K.vmult(residual, correction);
     residual -= x;
     double left = residual.block(1).linfty_norm();

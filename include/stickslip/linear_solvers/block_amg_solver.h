@@ -2,9 +2,9 @@
 #define stickslip_linear_solvers_block_amg_solver_h
 
 #include <stickslip/linear_solvers/interface_augmentation.h>
+#include <stickslip/linear_solvers/interface_solver.h>
 #include <stickslip/linear_solvers/linear_solver.h>
 #include <stickslip/linear_solvers/multigrid/displacement_multigrid.h>
-#include <stickslip/linear_solvers/zone_solver.h>
 
 #include <memory>
 
@@ -13,13 +13,13 @@ namespace stickslip
   /**
    * Flexible GMRES on [A C; B -E], preconditioned by a multigrid cycle on the
    * augmented displacement block A + B^T D^-1 B followed by a solve of
-   * the residual that is left on the contact zone. No Schur complement is
+   * the residual that is left on the contact interface. No Schur complement is
    * approximated.
    *
    * The multigrid hierarchy is kept while constraints and most of the
    * augmentation stay (loose solves also do with less), until an iteration
    * takes `Rebuild factor` times as long by digit as the best one with it; the
-   * zone is factorised for every matrix.
+   * interface is factorised for every matrix.
    */
   class BlockAmgSolver : public LinearSolver
   {
@@ -51,7 +51,7 @@ namespace stickslip
     DisplacementMultigrid multigrid;
     /// of the hierarchy
     std::shared_ptr<const NearNullSpace> near_null_space;
-    mutable ZoneSolver                   zone;
+    mutable InterfaceSolver              interface;
 
     /// Makes rows of multipliers as large as those of displacements: B row in
     /// units of a gap, times a stiffness.

@@ -1,4 +1,4 @@
-#include <stickslip/linear_solvers/zone_solver.h>
+#include <stickslip/linear_solvers/interface_solver.h>
 
 #include <stickslip/base/no_convergence.h>
 
@@ -17,14 +17,14 @@ namespace stickslip
     check(const FactorizationError &error)
     {
       throw_if_failed(error,
-                      "Linear solver (block AMG, contact zone)",
-                      "the matrix of the zone is singular");
+                      "Linear solver (block AMG, contact interface)",
+                      "the matrix of the interface is singular");
     }
   } // namespace
 
 
 
-  ZoneSolver::ZoneSolver(const unsigned int largest)
+  InterfaceSolver::InterfaceSolver(const unsigned int largest)
     : largest(largest)
     , first(0)
     , factorization(DirectLibrary::mumps)
@@ -35,9 +35,9 @@ namespace stickslip
 
   template <typename Visitor>
   void
-  ZoneSolver::visit_zone_row(const LA::BlockSparseMatrix &matrix,
-                             const Row                   &row,
-                             const Visitor               &visit) const
+  InterfaceSolver::visit_interface_row(const LA::BlockSparseMatrix &matrix,
+                                       const Row                   &row,
+                                       const Visitor               &visit) const
   {
     for (unsigned int c = 0; c < 2; ++c)
       LA::visit_row(matrix.block(row.block, c),
@@ -54,7 +54,7 @@ namespace stickslip
 
 
   void
-  ZoneSolver::number_rows(const LA::BlockSparseMatrix &matrix)
+  InterfaceSolver::number_rows(const LA::BlockSparseMatrix &matrix)
   {
     const MPI_Comm communicator = matrix.block(0, 0).get_mpi_communicator();
     rows.clear();
@@ -100,7 +100,7 @@ namespace stickslip
 
 
   void
-  ZoneSolver::make_pattern(const LA::BlockSparseMatrix &matrix)
+  InterfaceSolver::make_pattern(const LA::BlockSparseMatrix &matrix)
   {
     const MPI_Comm communicator = matrix.block(0, 0).get_mpi_communicator();
     const types::global_dof_index n_owned = rows.size();
@@ -110,7 +110,7 @@ namespace stickslip
     for (const Row &row : rows)
       {
         std::size_t length = 0;
-        visit_zone_row(matrix, row, [&](const auto, const double) {
+        visit_interface_row(matrix, row, [&](const auto, const double) {
           ++length;
         });
         longest = std::max(longest, length);
@@ -120,13 +120,15 @@ namespace stickslip
     for (unsigned int k = 0; k < rows.size(); ++k)
       {
         columns.clear();
-        visit_zone_row(matrix, rows[k], [&](const auto column, const double) {
-          columns.push_back(column);
-        });
+        visit_interface_row(matrix,
+                            rows[k],
+                            [&](const auto column, const double) {
+                              columns.push_back(column);
+                            });
         pattern.add_entries(first + k, columns.begin(), columns.end());
       }
     pattern.compress();
-    zone.reinit(pattern);
+    interface.reinit(pattern);
     rhs.reinit(owned, communicator);
     solution.reinit(owned, communicator);
   }
@@ -134,7 +136,7 @@ namespace stickslip
 
 
   void
-  ZoneSolver::fill(const LA::BlockSparseMatrix &matrix)
+  InterfaceSolver::fill(const LA::BlockSparseMatrix &matrix)
   {
     std::vector<types::global_dof_index> columns;
     std::vector<double>                  values;
@@ -142,22 +144,22 @@ namespace stickslip
       {
         columns.clear();
         values.clear();
-        visit_zone_row(matrix,
-                       rows[k],
-                       [&](const auto column, const double value) {
-                         columns.push_back(column);
-                         values.push_back(value);
-                       });
-        zone.set(first + k, columns, values, false);
+        visit_interface_row(matrix,
+                            rows[k],
+                            [&](const auto column, const double value) {
+                              columns.push_back(column);
+                              values.push_back(value);
+                            });
+        interface.set(first + k, columns, values, false);
       }
-    zone.compress(VectorOperation::insert);
+    interface.compress(VectorOperation::insert);
   }
 
 
 
   void
-  ZoneSolver::factorise(const LA::BlockSparseMatrix &matrix,
-                        const bool                   new_layout)
+  InterfaceSolver::factorise(const LA::BlockSparseMatrix &matrix,
+                             const bool                   new_layout)
   {
     factorization.clear();
     parts.clear();
@@ -169,20 +171,20 @@ namespace stickslip
     fill(matrix);
     if (!is_large())
       {
-        check(factorization.factorise(zone));
+        check(factorization.factorise(interface));
         return;
       }
     std::vector<bool> is_multiplier;
     for (const Row &row : rows)
       is_multiplier.push_back(row.block == 1);
-    check(parts.factorise(zone, is_multiplier, new_layout));
+    check(parts.factorise(interface, is_multiplier, new_layout));
   }
 
 
 
   void
-  ZoneSolver::add_correction(const LA::BlockVector &residual,
-                             LA::BlockVector       &x)
+  InterfaceSolver::add_correction(const LA::BlockVector &residual,
+                                  LA::BlockVector       &x)
   {
     for (unsigned int k = 0; k < rows.size(); ++k)
       rhs(first + k) = residual.block(rows[k].block)(rows[k].index);

@@ -1,0 +1,87 @@
+#ifndef stickslip_linear_solvers_interface_solver_h
+#define stickslip_linear_solvers_interface_solver_h
+
+#include <stickslip/base/block_system.h>
+
+#include <stickslip/linear_solvers/factorization/distributed_factorization.h>
+#include <stickslip/linear_solvers/overlapping_parts.h>
+
+#include <array>
+#include <vector>
+
+namespace stickslip
+{
+  /**
+   * Solves on the contact interface: all multipliers and all displacements that
+   * a row or column of a multiplier may touch. Its matrix is that part of [A C;
+   * B -E], factorised by MUMPS, so that nothing has to be guessed of a Schur
+   * complement. It is a surface and small beside the bodies; where it is too
+   * large all the same, it is solved in overlapping parts.
+   */
+  class InterfaceSolver
+  {
+  public:
+    /// @p largest: unknowns up to which the interface is factorised as one, and of
+    /// a part of a larger interface.
+    explicit InterfaceSolver(const unsigned int largest);
+
+    /// Factorises the interface of @p matrix; the interface is determined again only if
+    /// @p new_layout. Throws NoConvergence if it cannot be factorised.
+    /// Collective.
+    void
+    factorise(const LA::BlockSparseMatrix &matrix, const bool new_layout);
+
+    /// Adds to @p x the solution for the part of @p residual in the interface.
+    /// Collective.
+    void
+    add_correction(const LA::BlockVector &residual, LA::BlockVector &x);
+
+    /// Unknowns of the interface, over all ranks.
+    types::global_dof_index
+    n_unknowns() const
+    {
+      return interface.m();
+    }
+
+  private:
+    /// Where an owned interface row stands in the block system.
+    struct Row
+    {
+      unsigned int            block;
+      types::global_dof_index index;
+    };
+
+    const unsigned int        largest;
+    std::vector<Row>          rows;    ///< owned ones, in order
+    types::global_dof_index   first;   ///< number of rows[0] in the interface
+    std::array<LA::Vector, 2> numbers; ///< interface number + 1, ghosted
+    LA::SparseMatrix          interface;
+    LA::Vector                rhs, solution;
+    DistributedFactorization  factorization; ///< of the whole interface
+    OverlappingParts          parts;         ///< if it is larger than `largest`
+
+    void
+    number_rows(const LA::BlockSparseMatrix &matrix);
+
+    void
+    make_pattern(const LA::BlockSparseMatrix &matrix);
+
+    void
+    fill(const LA::BlockSparseMatrix &matrix);
+
+    bool
+    is_large() const
+    {
+      return interface.m() > largest;
+    }
+
+    /// Calls visit(interface column, value) for the entries of an owned row.
+    template <typename Visitor>
+    void
+    visit_interface_row(const LA::BlockSparseMatrix &matrix,
+                        const Row                   &row,
+                        const Visitor               &visit) const;
+  };
+} // namespace stickslip
+
+#endif
