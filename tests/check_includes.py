@@ -6,7 +6,7 @@
 
 Checked: a folder includes only folders below it; solid and contact do not
 meet; base knows deal.II (with its boost) and the standard library only; a .cc
-of the program includes its own header first, so that compiling
+of the program has a header of its own and includes it first, so that compiling
 the one shows that the other is complete; names of namespace std come with their
 headers (std_headers.py); no file of the program has more than 400 lines; every
 .cc has a line in source/sources.txt and every test a comparison file; include
@@ -90,7 +90,9 @@ def check_text(path, text):
 
 def check_own_header(root, path, text):
     own = f"stickslip/{path.relative_to('source').with_suffix('.h')}"
-    if (root / "include" / own).exists() and [included for _, included in INCLUDE.findall(text)][:1] != [own]:
+    if not (root / "include" / own).exists():
+        yield f"{path}: has no header <{own}>; find the concept that it stands for"
+    elif [included for _, included in INCLUDE.findall(text)][:1] != [own]:
         yield f"{path}: must include its own header <{own}> first"
 
 
@@ -199,6 +201,7 @@ def self_test():
         "listed but absent": ("source/sources.txt", "contact/absent.cc\ncontact/point/law.cc\n", "does not exist"),
         "uncompared test": ("tests/unit/other.cc", "\n", "no comparison file"),
         "uncompared case": ("tests/application/other.prm.in", "\n", "no comparison file"),
+        "source without a header": ("source/contact/point/law_2.cc", "#include <vector>\n", "has no header"),
         "own header second": ("source/contact/point/law.cc", "#include <vector>\n#include <stickslip/contact/point/law.h>\n", "own header"),
         "sort by luck": ("source/contact/point/law.cc", "#include <stickslip/contact/point/law.h>\nstd::sort(v);\n", "does not include <algorithm>"),
         "header by luck": ("include/stickslip/base/types.h", header("base", "types", "std::vector<int> v;"), "does not include <vector>"),
