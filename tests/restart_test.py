@@ -108,6 +108,8 @@ end
 TOLERANCE = 1e-9
 TABLES = {"points.csv": None, "resultants.csv": None,
           "statistics.csv": ["step", "time", "external_work", "friction_work"]}
+CONTROL_OPTIONS = ["Load stepping/Minimum step=0.01", "Load stepping/Initial step=1", "Load stepping/Requested times=3",
+                   "Algorithm/Newton/Max iterations=4"]
 failures = []
 
 
@@ -236,6 +238,28 @@ def test_algorithms(runs):
         check(iterations[0] == iterations[1], f"{half} takes the Newton iterations of {algorithm}: {iterations}")
 
 
+def decisions_of(directory):
+    """What the step control has decided in each step."""
+    return [[row[c] for c in ("time", "algorithm", "newton_iterations", "cuts", "failed_newton_iterations")]
+            for row in rows_of(directory / "statistics.csv")]
+
+
+def test_step_control(runs):
+    """A run with fallback algorithms makes the same attempts when it is interrupted. The requested time
+    makes the first half end where the whole run has a step, too."""
+    options = CONTROL_OPTIONS
+    runs.run("control", 1, options=options)
+    whole = decisions_of(runs.directory / "control")
+    print("\n".join("    " + " ".join(row) for row in whole))
+    check(sum(int(row[4]) for row in whole if float(row[0]) <= 3) > 0, "attempts have failed in the first half")
+    check(len({row[1] for row in whole}) > 1, "another algorithm than the first was needed")
+    runs.run("control-half", 1, options=options + ["Load stepping/End time=3"])
+    runs.run("control-half", 1, "latest", options)
+    check(decisions_of(runs.directory / "control-half") == whole,
+          f"a continued run decides as one that is not interrupted: {decisions_of(runs.directory / 'control-half')}")
+    compare(runs, "control-half", "control")
+
+
 def test_failed_run(runs):
     runs.run("failed", 2, options=["Load stepping/End time=2", "Output/Checkpoint every n steps=0"], exit_code=0)
     check(not (runs.directory / "failed/checkpoint.latest").exists(), "no checkpoints unless asked for")
@@ -279,6 +303,12 @@ def test_refused(runs):
                         ("a bit flipped", data[:1000] + bytes([data[1000] ^ 1]) + data[1001:])]:
         (runs.directory / file).write_bytes(bad)
         refused(damage, "half-2", ["damaged", file, f"half-2/{other}"])
+    description = runs.directory / f"half-2/{latest}/description"
+    text = description.read_text()
+    description.write_text(text.replace("stickslip checkpoint 2", "stickslip checkpoint 1", 1))
+    refused("an older format", "half-2", ["another version", "format is 1", "reads format 2"])
+    description.write_text(text)
+    (runs.directory / file).write_bytes(data)
     (runs.directory / file).unlink()
     refused("a file lost", "half-2", ["damaged", file])
     runs.run("from the one before", 2, f"half-2/{other}")
@@ -288,7 +318,7 @@ def test_refused(runs):
 
 def main():
     runs = Runs(sys.argv[1], pathlib.Path(sys.argv[2]))
-    for test in (test_partitions, test_path_dependence, test_algorithms, test_failed_run, test_refused):
+    for test in (test_partitions, test_path_dependence, test_algorithms, test_step_control, test_failed_run, test_refused):
         test(runs)
     print(f"{len(failures)} comparisons failed")
     return 1 if failures else 0

@@ -335,18 +335,6 @@ namespace stickslip
 
 
   template <int dim>
-  bool
-  ContactProblem<dim>::state_is_admissible(std::string &reason) const
-  {
-    if (solid_assembler->state_is_admissible())
-      return true;
-    reason = solid_assembler->inadmissible_point();
-    return false;
-  }
-
-
-
-  template <int dim>
   void
   ContactProblem<dim>::accept_step(const LA::BlockVector &x)
   {

@@ -75,8 +75,12 @@ namespace stickslip
               content << file.rdbuf();
               text = content.str();
               CheckpointDescription description;
+              const std::string     other  = description.other_format(text);
               const std::string     damage = description.parse(text);
-              if (!damage.empty())
+              if (!other.empty())
+                error = "--restart: the checkpoint '" + checkpoint +
+                        "' cannot be used: " + other + ".";
+              else if (!damage.empty())
                 error = describe_damage(checkpoint, damage);
               else
                 {

@@ -19,8 +19,11 @@ namespace stickslip
 {
   namespace
   {
-    const std::string checkpoint_first_line = "stickslip checkpoint 1";
-    const std::string checkpoint_last_line  = "end";
+    const std::string checkpoint_mark   = "stickslip checkpoint ";
+    const std::string checkpoint_format = "2";
+    const std::string checkpoint_first_line =
+      checkpoint_mark + checkpoint_format;
+    const std::string checkpoint_last_line = "end";
 
     /// Begins the lines of CheckpointDescription::physics.
     const std::string parameter_mark = "parameter ";
@@ -178,10 +181,16 @@ namespace stickslip
   {
     std::ostringstream out;
     out << std::setprecision(17) << checkpoint_first_line
-        << "\nidentity = " << identity << "\nfiles = " << n_files
-        << "\ntime = " << scalars.time << "\nstep size = " << scalars.step_size
-        << "\nstep = " << scalars.step
-        << "\nexternal work = " << scalars.work.external
+        << "\nidentity = " << identity << "\nfiles = " << n_files << '\n';
+    StepControlState::for_each_number(scalars.control,
+                                      [&out](const std::string &name,
+                                             const auto         value) {
+                                        out << name << " = " << value << '\n';
+                                      });
+    out << "last iterations =";
+    for (const unsigned int n : scalars.control.last_iterations)
+      out << ' ' << n;
+    out << "\nexternal work = " << scalars.work.external
         << "\nfriction work = " << scalars.work.friction
         << "\nstabilization work = " << scalars.work.stabilization
         << "\ngeometry =";
@@ -194,6 +203,20 @@ namespace stickslip
       out << parameter_mark << name << " = " << value << '\n';
     out << checkpoint_last_line << '\n';
     return out.str();
+  }
+
+
+
+  std::string
+  CheckpointDescription::other_format(const std::string &text)
+  {
+    const std::string first_line = text.substr(0, text.find('\n'));
+    if (first_line.find(checkpoint_mark) != 0 ||
+        first_line == checkpoint_first_line)
+      return "";
+    return "it was written by another version of the program (its format is " +
+           first_line.substr(checkpoint_mark.size()) +
+           ", this version reads format " + checkpoint_format + ")";
   }
 
 
@@ -212,23 +235,24 @@ namespace stickslip
       is_good = is_good && std::getline(in, line) && line.find(start) == 0 &&
                 (std::istringstream(line.substr(start.size())) >> value);
     };
+    const auto read_list = [&](const std::string &name, auto &values) {
+      const std::string start = name + " =";
+      is_good = is_good && std::getline(in, line) && line.find(start) == 0;
+      if (!is_good)
+        return;
+      values.clear();
+      std::istringstream numbers(line.substr(start.size()));
+      for (double number; numbers >> number;)
+        values.push_back(number);
+    };
     read("identity", identity);
     read("files", n_files);
-    read("time", scalars.time);
-    read("step size", scalars.step_size);
-    read("step", scalars.step);
+    StepControlState::for_each_number(scalars.control, read);
+    read_list("last iterations", scalars.control.last_iterations);
     read("external work", scalars.work.external);
     read("friction work", scalars.work.friction);
     read("stabilization work", scalars.work.stabilization);
-    std::string geometry;
-    read("geometry", geometry);
-    if (is_good)
-      {
-        std::istringstream values(line.substr(line.find('=') + 1));
-        problem.geometry.clear();
-        for (double value; values >> value;)
-          problem.geometry.push_back(value);
-      }
+    read_list("geometry", problem.geometry);
     problem.properties.clear();
     physics.clear();
     while (is_good && std::getline(in, line) && line != checkpoint_last_line)

@@ -3,7 +3,10 @@
 #include <stickslip/simulation/residual_trend.h>
 #include <stickslip/simulation/singular_matrix.h>
 
+#include <stickslip/strategy/solution_strategy.h>
+
 #include <algorithm>
+#include <cctype>
 #include <optional>
 
 namespace stickslip
@@ -22,14 +25,12 @@ namespace stickslip
     FailureExplanation
     inadmissible_state(const NoConvergence &failure)
     {
-      const std::string  text  = failure.what();
-      const std::size_t  where = text.find(" in body ");
       FailureExplanation explanation;
       explanation.name  = "inadmissible deformation";
-      explanation.why   = text.substr(0, where);
-      explanation.where = where == std::string::npos
+      explanation.why   = failure.reason + ".";
+      explanation.where = failure.place.body.empty()
                             ? "the whole model."
-                            : text.substr(where + std::string(" in ").size());
+                            : failure.place.in_words() + ".";
       explanation.advice =
         "a smaller 'Load stepping/Initial step' (and 'Minimum "
         "step'); a better mesh or fewer distorted cells there; a "
@@ -63,17 +64,17 @@ namespace stickslip
                "exchange slave and master, or enlarge " +
                parameter_of(group, step, "Projection tolerance") + ".";
       if (cycle == name_of(CycleKind::facet))
-        return parameter_of(group, step, "Normals") +
-               " = smoothed; 'Algorithm/Name = PNM'; a larger " +
+        return parameter_of(group, step, "Normals") + " = smoothed; " +
+               advice_to_freeze_geometry() + "; a larger " +
                parameter_of(group, step, "Facet overlap") + ".";
       if (cycle == name_of(CycleKind::direction))
         return smaller + "; a ten times smaller " +
                parameter_of(group, step, "Regularization/r_t") + ".";
       if (cycle == name_of(CycleKind::stick))
-        return smaller + "; 'Algorithm/Name = PNM', then FPM.";
+        return smaller + "; " + advice_to_fall_back() + ".";
       return smaller + "; a ten times smaller " +
-             parameter_of(group, step, "Regularization/r_n") +
-             "; 'Algorithm/Name = PNM'.";
+             parameter_of(group, step, "Regularization/r_n") + "; " +
+             advice_to_freeze_geometry() + ".";
     }
 
 
@@ -183,6 +184,52 @@ namespace stickslip
 
 
 
+    /// 'Algorithm/Geometry/Max iterations', for example.
+    std::string
+    limit_of_loop(const std::string &loop)
+    {
+      std::string section = loop;
+      section[0]          = std::toupper(section[0]);
+      return "'Algorithm/" + section + "/Max iterations'";
+    }
+
+
+
+    std::optional<FailureExplanation>
+    loop_or_budget(const NoConvergence &failure)
+    {
+      const std::string smaller = "a smaller 'Load stepping/Initial step'";
+      switch (failure.cause)
+        {
+          case FailureCause::loop_limit:
+            return FailureExplanation{"outer loop at its limit",
+                                      failure.what(),
+                                      "the whole model.",
+                                      "more passes of this loop (" +
+                                        limit_of_loop(failure.place.loop) +
+                                        "); " + smaller + "; " +
+                                        advice_to_avoid_loops() + "."};
+          case FailureCause::loop_cycle:
+            return FailureExplanation{"outer loop repeats itself",
+                                      failure.what(),
+                                      "the whole model.",
+                                      smaller + "; " + advice_to_avoid_loops() +
+                                        "."};
+          case FailureCause::budget:
+            return FailureExplanation{
+              "too many iterations",
+              failure.what(),
+              "the whole model.",
+              smaller +
+                " (and 'Minimum step'); a larger 'Algorithm/Newton/Max "
+                "iterations'."};
+          default:
+            return {};
+        }
+    }
+
+
+
     template <int dim>
     FailureExplanation
     iteration_limit(const FailedStep<dim> &step)
@@ -235,8 +282,8 @@ namespace stickslip
               step.newton.max_iterations < usual_iterations
                 ? "a larger 'Algorithm/Newton/Max iterations'; a smaller 'Load "
                   "stepping/Initial step'."
-                : "a smaller 'Load stepping/Initial step'; 'Algorithm/Name = "
-                  "PNM', then FPM."};
+                : "a smaller 'Load stepping/Initial step'; " +
+                    advice_to_fall_back() + "."};
     }
   } // namespace
 
@@ -265,13 +312,8 @@ namespace stickslip
          {&cycle<dim>, &hopping<dim>, &lost_contact<dim>})
       if (const auto explanation = look_for(step, communicator))
         return *explanation;
-    if (step.failure.cause == FailureCause::loop_limit)
-      return {"outer loop at its limit",
-              step.failure.what(),
-              "the whole model.",
-              "more passes of this loop ('Algorithm/Geometry/Max iterations', "
-              "'Threshold' or 'Status'); a smaller 'Load stepping/Initial "
-              "step'; 'Algorithm/Name = GNM', which has no such loops."};
+    if (const auto explanation = loop_or_budget(step.failure))
+      return *explanation;
     return iteration_limit(step);
   }
 

@@ -10,7 +10,6 @@
 
 #include <stickslip/simulation/checkpoint.h>
 #include <stickslip/simulation/checkpoint_directory.h>
-#include <stickslip/simulation/failure_report.h>
 #include <stickslip/simulation/final_results.h>
 
 #include <iostream>
@@ -33,9 +32,12 @@ namespace stickslip
               parameters.materials,
               parameters.boundary_conditions,
               parameters.contact_pairs,
-              parameters.algorithm.tangent == "quasi")
+              parameters.algorithm.tangent == Tangent::quasi)
     , linear_solver(create_linear_solver(parameters.linear_solver))
-    , load_stepping(parameters.load_stepping)
+    , step_control(parameters.load_stepping,
+                   fallback_sequence(parameters.algorithm.name,
+                                     !parameters.contact_pairs.empty()),
+                   parameters.algorithm.newton.max_iterations)
     , x(problem.zero_state())
     , accepted{x, x.block(0), x.block(0)}
     , warnings(parameters.contact_pairs)
@@ -74,21 +76,15 @@ namespace stickslip
         retire_checkpoints(parameters.output.directory);
         remove_diagnoses(parameters.output.directory);
       }
-    while (!load_stepping.finished())
+    while (!steps().finished())
       {
-        const double time = load_stepping.propose_step();
-        try
-          {
-            solve_step(time);
-            accept_step();
-          }
-        catch (const NoConvergence &failure)
-          {
-            give_up_step(failure);
-          }
+        begin_step();
+        while (!solve_step())
+          {}
+        accept_step();
       }
-    log.note("done: " + std::to_string(load_stepping.step_number()) + " steps");
-    progress.finished(load_stepping.step_number());
+    log.note("done: " + std::to_string(steps().step_number()) + " steps");
+    progress.finished(steps().step_number());
     return report_final_results();
   }
 
@@ -96,29 +92,44 @@ namespace stickslip
 
   template <int dim>
   void
-  Simulation<dim>::predict(const double time)
+  Simulation<dim>::begin_step()
   {
-    x = accepted.x;
-    // What has failed once is tried anew without a guess, and at a requested
-    // time the load may turn.
-    if (parameters.load_stepping.predictor == "linear" && n_cuts == 0 &&
-        !load_stepping.is_at_requested_time())
-      x.block(0).add(time - load_stepping.time(), accepted.rate);
+    step_control.begin_step();
+    step_solver.begin_step();
   }
 
 
 
   template <int dim>
-  void
-  Simulation<dim>::solve_step(const double time)
+  LA::BlockVector
+  Simulation<dim>::predict() const
   {
-    predict(time);
-    problem.solid().stabilization().begin_step(time - load_stepping.time());
-    log.begin_step(load_stepping.step_number() + 1,
-                   time,
-                   time - load_stepping.time());
+    LA::BlockVector predicted(accepted.x);
+    predicted.block(0).add(steps().next_time() - steps().time(), accepted.rate);
+    return predicted;
+  }
 
-    step_solver.solve(time, accepted.x, load_stepping.iteration_limit(), x);
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::solve_step()
+  {
+    const double time = steps().next_time();
+    const double size = time - steps().time();
+    problem.solid().stabilization().begin_step(size);
+    log.begin_step(steps().step_number() + 1, time, size);
+    try
+      {
+        solved =
+          step_solver.solve(time, accepted.x, predict(), step_control, x);
+      }
+    catch (const NoConvergence &failure)
+      {
+        cut_step(failure);
+        return false;
+      }
+    return true;
   }
 
 
@@ -138,8 +149,8 @@ namespace stickslip
     accepted.nodal_forces = problem.nodal_forces();
     accepted.x            = x;
     accepted.rate         = step;
-    accepted.rate *= 1. / (load_stepping.propose_step() - load_stepping.time());
-    load_stepping.accept_step(problem.counts.newton_iterations);
+    accepted.rate *= 1. / (steps().next_time() - steps().time());
+    step_control.accept_step(solved, problem.counts.newton_iterations);
 
     const auto faces = contact_results(problem.contact());
     const auto resultants =
@@ -151,14 +162,14 @@ namespace stickslip
     for (const std::string &text : warnings.of_step(resultants))
       warn(text);
     write_statistics();
-    force_tables.write(load_stepping.step_number(),
-                       load_stepping.time(),
+    force_tables.write(steps().step_number(),
+                       steps().time(),
                        resultants,
                        problem.reactions());
     write_results(faces);
-    progress.accepted_step(load_stepping.step_number(),
-                           load_stepping.time(),
-                           step_solver.algorithm() + ", " +
+    progress.accepted_step(steps().step_number(),
+                           steps().time(),
+                           name_of(solved.algorithm) + ", " +
                              std::to_string(problem.counts.newton_iterations) +
                              " Newton iterations");
   }
@@ -167,40 +178,46 @@ namespace stickslip
 
   template <int dim>
   void
-  Simulation<dim>::give_up_step(const NoConvergence &failure)
+  Simulation<dim>::cut_step(const NoConvergence &failure)
   {
-    ++n_cuts;
     const FailureReport report = report_failure(failure,
-                                                load_stepping.step_number() + 1,
+                                                steps().step_number() + 1,
                                                 parameters,
                                                 problem,
                                                 step_solver.cures.history(),
                                                 log.last_newton_run());
     log.note(report.text());
     problem.restore();
-    x                  = accepted.x;
-    const double tried = load_stepping.propose_step();
+    x = accepted.x;
+    if (!steps().can_be_cut())
+      stop(failure, report);
+    const double tried = steps().next_time();
+    step_control.cut_step();
+    progress.rejected_step(tried, failure.what(), steps().step_size());
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::stop(const NoConvergence &failure,
+                        const FailureReport &report)
+  {
+    const std::string last =
+      steps().describe_last_step() + ": " + failure.what();
+    step_control.cut_step(); // a run that goes on begins with a smaller step
+    std::string state = "Continue it with --restart latest.";
     try
       {
-        load_stepping.cut_step(failure);
+        write_checkpoint();
       }
-    catch (const NoConvergence &last)
+    catch (const UserError &error)
       {
-        std::string state = "Continue it with --restart latest.";
-        try
-          {
-            write_checkpoint();
-          }
-        catch (const UserError &error)
-          {
-            state = error.what();
-          }
-        const std::string text =
-          report.final_text(last.what(), load_stepping.time(), state);
-        log.note("stopped: " + text);
-        throw NoConvergence(text, last);
+        state = error.what();
       }
-    progress.rejected_step(tried, failure.what(), load_stepping.step_size());
+    const std::string text = report.final_text(last, steps().time(), state);
+    log.note("stopped: " + text);
+    throw NoConvergence(text, failure);
   }
 
 
@@ -210,11 +227,11 @@ namespace stickslip
   Simulation<dim>::write_results(
     const std::vector<ContactFaceResult<dim>> &faces)
   {
-    const unsigned int        step = load_stepping.step_number();
-    const double              time = load_stepping.time();
+    const unsigned int        step = steps().step_number();
+    const double              time = steps().time();
     const MaterialFields<dim> material =
       material_fields(problem.solid(), problem.ghosted_displacement());
-    if (parameters.output.is_written(step) || load_stepping.finished())
+    if (parameters.output.is_written(step) || steps().finished())
       {
         field_output.write(step,
                            time,
@@ -244,10 +261,7 @@ namespace stickslip
     save_checkpoint(parameters.output.directory,
                     problem,
                     accepted,
-                    {load_stepping.time(),
-                     load_stepping.step_size(),
-                     load_stepping.step_number(),
-                     work},
+                    {step_control.state(), work},
                     parameters.physics);
   }
 
@@ -263,9 +277,10 @@ namespace stickslip
     const CheckpointScalars scalars =
       load_checkpoint(directory, problem, accepted, old_physics);
     work = scalars.work;
-    load_stepping.resume(scalars.time, scalars.step_size, scalars.step);
+    step_control.resume(scalars.control);
+    const double time = steps().time();
     // pairs the points and sets the scales that the first thresholds need
-    problem.begin_step(scalars.time, accepted.x);
+    problem.begin_step(time, accepted.x);
     problem.begin_iteration(accepted.x);
     log.note("continues from " + directory);
     if (!old_physics.empty())
@@ -273,11 +288,11 @@ namespace stickslip
         warn("the state was computed with another parameter: " + text + ".");
     if (!checkpoint_is_in(directory, parameters.output.directory, communicator))
       return; // the tables there are of another run
-    field_output.resume(scalars.time);
-    contact_output.resume(scalars.time);
-    point_values.resume(scalars.time);
-    statistics.resume(scalars.time);
-    force_tables.resume(scalars.time);
+    field_output.resume(time);
+    contact_output.resume(time);
+    point_values.resume(time);
+    statistics.resume(time);
+    force_tables.resume(time);
   }
 
 
@@ -290,9 +305,9 @@ namespace stickslip
     const Acceptance  &found     = step_solver.acceptance();
     const auto        &violation = found.violation;
     const CureCounts  &cures     = step_solver.cures.counts;
-    statistics.add("step", load_stepping.step_number());
-    statistics.add("time", load_stepping.time());
-    statistics.add("algorithm", step_solver.algorithm());
+    statistics.add("step", steps().step_number());
+    statistics.add("time", steps().time());
+    statistics.add("algorithm", name_of(solved.algorithm));
     statistics.add("geometry_loops", counts.geometry_loops);
     statistics.add("threshold_loops", counts.threshold_loops);
     statistics.add("status_loops", counts.status_loops);
@@ -301,9 +316,9 @@ namespace stickslip
     statistics.add("linear_iterations", counts.linear_iterations);
     statistics.add("multigrid_setups", counts.multigrid_setups);
     statistics.add("direct_fallbacks", counts.direct_fallbacks);
-    statistics.add("cuts", n_cuts);
+    statistics.add("cuts", step_control.n_cuts());
     statistics.add("failed_newton_iterations",
-                   step_solver.failed_newton_iterations);
+                   step_solver.failed_newton_iterations());
     statistics.add("cycles", cures.cycles);
     statistics.add("adapted_r", cures.adapted_scales);
     statistics.add("held_statuses", cures.held_statuses);
@@ -322,9 +337,6 @@ namespace stickslip
     statistics.add("fresh_residual", found.residual.equilibrium);
     work.add_to(statistics);
     statistics.finish_row();
-    n_cuts                               = 0;
-    step_solver.failed_newton_iterations = 0;
-    step_solver.cures.counts             = CureCounts();
   }
 
 

@@ -6,36 +6,29 @@
 #include <stickslip/strategy/newton_solver.h>
 #include <stickslip/strategy/solution_strategy.h>
 
-#include <algorithm>
-#include <functional>
-#include <utility>
+#include <string>
 
 namespace stickslip
 {
   namespace
   {
-    /// Newton iterations, over the limit of one solve, that an algorithm of
-    /// `automatic` may take in a step before the next one is tried.
-    constexpr unsigned int iterations_before_next = 10;
-
-
-
-    /// The equations of a step as Newton's method sees them.
+    /// The equations of a step as Newton's method sees them in an attempt.
     template <int dim>
     class StepNewtonProblem : public NewtonProblem
     {
     public:
-      using SolveIncrement = std::function<
-        void(const LA::BlockVector &, const double, LA::BlockVector &)>;
-
-      StepNewtonProblem(ContactProblem<dim> &problem,
-                        CyclingCures<dim>   &cures,
-                        ConvergenceLog      &log,
-                        SolveIncrement       solve)
-        : problem(problem)
+      StepNewtonProblem(const Attempt        &attempt,
+                        const IncrementSolver increment_solver,
+                        ContactProblem<dim>  &problem,
+                        LinearSolver         &linear_solver,
+                        CyclingCures<dim>    &cures,
+                        ConvergenceLog       &log)
+        : attempt(attempt)
+        , increment_solver(increment_solver)
+        , problem(problem)
+        , linear_solver(linear_solver)
         , cures(cures)
         , log(log)
-        , solve(std::move(solve))
       {}
 
       void
@@ -56,13 +49,32 @@ namespace stickslip
                       const double           sufficient,
                       LA::BlockVector       &increment) override
       {
-        solve(x, sufficient, increment);
+        if (problem.counts.newton_iterations >= attempt.budget)
+          throw NoConvergence(name_of(attempt.algorithm),
+                              "no end in sight after " +
+                                std::to_string(attempt.budget) +
+                                " Newton iterations, the budget of an attempt",
+                              FailureCause::budget);
+        ++problem.counts.newton_iterations;
+        if (increment_solver == IncrementSolver::projected_conjugate_gradient)
+          solve_dual_increment(problem, x, increment);
+        else
+          solve_linear_system(x, sufficient, increment);
       }
 
       bool
       is_admissible(std::string &reason) const override
       {
-        return problem.state_is_admissible(reason);
+        if (problem.state_is_admissible())
+          return true;
+        reason = problem.inadmissible_state().reason;
+        return false;
+      }
+
+      FailurePlace
+      inadmissible_place() const override
+      {
+        return problem.inadmissible_state().place;
       }
 
       void
@@ -88,10 +100,30 @@ namespace stickslip
       }
 
     private:
-      ContactProblem<dim> &problem;
-      CyclingCures<dim>   &cures;
-      ConvergenceLog      &log;
-      const SolveIncrement solve;
+      const Attempt         attempt;
+      const IncrementSolver increment_solver;
+      ContactProblem<dim>  &problem;
+      LinearSolver         &linear_solver;
+      CyclingCures<dim>    &cures;
+      ConvergenceLog       &log;
+
+      void
+      solve_linear_system(const LA::BlockVector &x,
+                          const double           sufficient,
+                          LA::BlockVector       &increment)
+      {
+        problem.assemble(x);
+        const std::string note = linear_solver.solve_system(
+          problem.matrix(),
+          [this]() -> const auto & { return problem.describe_system(); },
+          problem.right_hand_side(),
+          sufficient,
+          increment,
+          problem.counts);
+        if (!note.empty())
+          log.note(note);
+        problem.distribute(increment);
+      }
     };
   } // namespace
 
@@ -107,49 +139,54 @@ namespace stickslip
     , problem(problem)
     , linear_solver(linear_solver)
     , log(log)
-    // without contact all algorithms are the same
-    , ladder(parameters.algorithm.name == "automatic" &&
-                 parameters.contact_pairs.empty()
-               ? "GNM"
-               : parameters.algorithm.name)
   {}
 
 
 
   template <int dim>
   void
+  StepSolver<dim>::begin_step()
+  {
+    failed_iterations = 0;
+    cures.counts      = CureCounts();
+  }
+
+
+
+  template <int dim>
+  Attempt
   StepSolver<dim>::solve(const double           time,
                          const LA::BlockVector &accepted,
-                         const unsigned int     iteration_limit,
+                         const LA::BlockVector &predicted,
+                         const StepControl     &control,
                          LA::BlockVector       &x)
   {
-    most_iterations = iteration_limit;
-    if (ladder.has_choice())
-      most_iterations = std::min(most_iterations,
-                                 iterations_before_next *
-                                   parameters.algorithm.newton.max_iterations);
     problem.begin_step(time, accepted);
     problem.configure(accepted, true);
     note_partners(problem.contact());
-    ladder.begin_step();
     cures.begin_step();
-    LA::BlockVector guess(x);
-    while (true)
+    for (Attempt attempt = control.first_attempt();;)
       try
         {
-          solve_with(ladder.algorithm(), guess, x);
-          ladder.accept_step();
-          return;
+          x = attempt.guess == Attempt::Guess::predicted ? predicted : accepted;
+          prepare(attempt);
+          make(attempt, x);
+          verify(x);
+          return attempt;
         }
       catch (const NoConvergence &failure)
         {
-          const std::string failed = ladder.algorithm();
-          if (!ladder.climb(failure))
+          failed_iterations += problem.counts.newton_iterations;
+          const auto next = control.next_attempt(attempt,
+                                                 failure.cause,
+                                                 {cures.natural_scales_differ(),
+                                                  cures.learning_would_help()});
+          if (!next)
             throw;
-          log.note(failed + " failed: " + failure.what() + "\ntrying " +
-                   ladder.algorithm());
+          log.note(name_of(attempt.algorithm) + " failed: " + failure.what() +
+                   "\n" + describe_change(attempt, *next));
           problem.restore();
-          guess = accepted;
+          attempt = *next;
         }
   }
 
@@ -157,51 +194,31 @@ namespace stickslip
 
   template <int dim>
   void
-  StepSolver<dim>::solve_with(const std::string     &algorithm,
-                              const LA::BlockVector &guess,
-                              LA::BlockVector       &x)
+  StepSolver<dim>::prepare(const Attempt &attempt)
   {
-    try
-      {
-        x = guess;
-        attempt(algorithm, x);
-      }
-    catch (const NoConvergence &failure)
-      {
-        const bool other_scales = cures.natural_scales_differ();
-        const bool now_learning = cures.learning_would_help();
-        cures.use_natural_scales();
-        cures.let_points_learn();
-        if (!other_scales && !now_learning)
-          throw;
-        log.note(
-          algorithm + " failed: " + failure.what() + "\ntrying again" +
-          (other_scales ? "; r is at the stiffness of the contact" : "") +
-          (now_learning ? "; points that hop keep their facets" : ""));
-        problem.restore();
-        x = guess;
-        attempt(algorithm, x);
-      }
+    if (attempt.scales == Attempt::Scales::contact_stiffness)
+      cures.use_natural_scales();
+    if (attempt.pairing == Attempt::Pairing::hysteresis)
+      cures.let_points_learn();
+    problem.counts = SolveCounts();
+    problem.forget_state();
   }
 
 
 
   template <int dim>
   void
-  StepSolver<dim>::attempt(const std::string &algorithm, LA::BlockVector &x)
+  StepSolver<dim>::make(const Attempt &attempt, LA::BlockVector &x)
   {
+    const SolutionStrategy strategy =
+      strategy_of(attempt.algorithm, parameters.algorithm);
     StepNewtonProblem<dim> newton_problem(
-      problem,
-      cures,
-      log,
-      [this](const auto &state, const double sufficient, auto &increment) {
-        solve_increment(state, sufficient, increment);
-      });
+      attempt, strategy.increment_solver, problem, linear_solver, cures, log);
     const NewtonSolver     newton_solver(parameters.algorithm.newton,
                                      newton_problem);
     const NestedFixedPoint fixed_point(
       make_loops(
-        algorithm, parameters.algorithm, problem.quantities(), problem.counts),
+        strategy, parameters.algorithm, problem.quantities(), problem.counts),
       [&](LA::BlockVector &state) {
         cures.begin_solve();
         newton_solver.solve(state);
@@ -212,55 +229,20 @@ namespace stickslip
              const unsigned int depth) {
         log.loop_pass(quantity, pass, change, depth);
       });
-    problem.counts = SolveCounts();
-    problem.forget_state();
-    try
-      {
-        fixed_point.solve(x);
-        found = examine(problem, x, parameters.acceptance);
-        if (!found.complaint.empty())
-          throw NoConvergence("The converged state is wrong",
-                              found.complaint,
-                              FailureCause::rejected);
-      }
-    catch (const NoConvergence &)
-      {
-        failed_newton_iterations += problem.counts.newton_iterations;
-        throw;
-      }
+    fixed_point.solve(x);
   }
 
 
 
   template <int dim>
   void
-  StepSolver<dim>::solve_increment(const LA::BlockVector &state,
-                                   const double           sufficient,
-                                   LA::BlockVector       &increment)
+  StepSolver<dim>::verify(const LA::BlockVector &x)
   {
-    if (problem.counts.newton_iterations >= most_iterations)
-      throw NoConvergence(ladder.algorithm(),
-                          "no end in sight after " +
-                            std::to_string(problem.counts.newton_iterations) +
-                            " Newton iterations",
-                          FailureCause::loop_limit);
-    ++problem.counts.newton_iterations;
-    if (ladder.algorithm() == "GCP")
-      {
-        solve_dual_increment(problem, state, increment);
-        return;
-      }
-    problem.assemble(state);
-    const std::string note = linear_solver.solve_system(
-      problem.matrix(),
-      [this]() -> const auto & { return problem.describe_system(); },
-      problem.right_hand_side(),
-      sufficient,
-      increment,
-      problem.counts);
-    if (!note.empty())
-      log.note(note);
-    problem.distribute(increment);
+    found = examine(problem, x, parameters.acceptance);
+    if (!found.complaint.empty())
+      throw NoConvergence("The converged state is wrong",
+                          found.complaint,
+                          FailureCause::rejected);
   }
 
   template class StepSolver<2>;

@@ -1,7 +1,6 @@
 #include <stickslip/solid/inadmissible_point.h>
 
 #include <algorithm>
-#include <sstream>
 #include <vector>
 
 namespace stickslip
@@ -36,9 +35,9 @@ namespace stickslip
 
 
   template <int dim>
-  std::string
-  InadmissiblePoint<dim>::description(const MPI_Comm communicator,
-                                      const Bodies  &bodies) const
+  InadmissibleState
+  InadmissiblePoint<dim>::describe(const MPI_Comm communicator,
+                                   const Bodies  &bodies) const
   {
     // Position first, so that the smallest coordinates win over the ranks.
     std::vector<double> mine;
@@ -54,17 +53,15 @@ namespace stickslip
       if (!other.empty() && (first.empty() || other < first))
         first = other;
     if (first.empty())
-      return "";
+      return {};
 
-    std::ostringstream text;
-    text << (first[dim + 1] != 0. ? "The constitutive law found no stress"
-                                  : "The volume is not positive")
-         << " in body '" << bodies.bodies[first[dim]].name
-         << "' at the reference position (";
-    for (unsigned int d = 0; d < dim; ++d)
-      text << (d == 0 ? "" : ", ") << first[d];
-    text << ").";
-    return text.str();
+    InadmissibleState result;
+    result.reason         = first[dim + 1] != 0.
+                              ? "The constitutive law found no stress"
+                              : "The volume is not positive";
+    result.place.body     = bodies.bodies[first[dim]].name;
+    result.place.position = {first.begin(), first.begin() + dim};
+    return result;
   }
 
 

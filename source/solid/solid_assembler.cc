@@ -326,10 +326,10 @@ namespace stickslip
 
 
   template <int dim>
-  std::string
-  SolidAssembler<dim>::inadmissible_point() const
+  InadmissibleState
+  SolidAssembler<dim>::inadmissible_state() const
   {
-    return failure.description(dof_handler.get_communicator(), bodies);
+    return failure.describe(dof_handler.get_communicator(), bodies);
   }
 
 

@@ -48,6 +48,7 @@ namespace stickslip
     NewtonIteration best;
     bool            has_best = false;
     std::string     reason;
+    FailurePlace    place;
     double          length = 1.;
     for (unsigned int halvings = 0; halvings <= max_halvings;
          ++halvings, length *= 0.5)
@@ -60,7 +61,10 @@ namespace stickslip
             continue;
           }
         if (!problem.is_admissible(reason))
-          continue;
+          {
+            place = problem.inadmissible_place();
+            continue;
+          }
         if (!needs_decrease || before.prescribed > 0. ||
             decreases_enough(before, state))
           return state;
@@ -69,7 +73,7 @@ namespace stickslip
         has_best = true;
       }
     if (!has_best)
-      throw NoConvergence("Newton", reason, FailureCause::inadmissible);
+      throw NoConvergence("Newton", reason, FailureCause::inadmissible, place);
     return try_step(best.step_length);
   }
 } // namespace stickslip

@@ -1,7 +1,5 @@
 #include <stickslip/strategy/nested_fixed_point.h>
 
-#include <stickslip/base/no_convergence.h>
-
 #include <stickslip/strategy/fixed_point_acceleration.h>
 
 #include <algorithm>
@@ -19,6 +17,34 @@ namespace stickslip
     /// inside it may stop: more exact, they would only follow a value that is
     /// about to be replaced.
     constexpr double useful_accuracy = 0.1;
+
+
+
+    /// What a loop that did not converge leaves behind.
+    NoConvergence
+    failure_of(const FixedPointLoop               &loop,
+               const unsigned int                  n_passes,
+               const double                        change,
+               const double                        tolerance,
+               const bool                          is_repetition,
+               const std::optional<NoConvergence> &inside)
+    {
+      std::ostringstream text;
+      text << "the " << loop.quantity->name() << " loop "
+           << (is_repetition ? "repeats itself after " : "did not settle in ")
+           << n_passes << " passes; last change " << change << " (tolerance "
+           << tolerance << ")";
+      if (inside)
+        text << "; inside its last pass: "
+             << (inside->place.loop.empty() ? inside->what() : inside->reason);
+      FailurePlace place;
+      place.loop = loop.quantity->name();
+      return NoConvergence("Fixed point",
+                           text.str(),
+                           is_repetition ? FailureCause::loop_cycle
+                                         : FailureCause::loop_limit,
+                           place);
+    }
   } // namespace
 
 
@@ -38,9 +64,8 @@ namespace stickslip
   {
     for (const FixedPointLoop &loop : loops)
       loop.quantity->set_live(loop.is_live);
-    std::string failure;
-    if (!solve_level(0, 0., x, failure))
-      throw NoConvergence("Fixed point", failure, FailureCause::loop_limit);
+    if (const auto failure = solve_level(0, 0., x))
+      throw *failure;
   }
 
 
@@ -61,66 +86,61 @@ namespace stickslip
 
 
 
-  bool
+  std::optional<NoConvergence>
   NestedFixedPoint::solve_inside(const unsigned int level,
                                  const double       accuracy,
                                  LA::BlockVector   &x,
-                                 std::string       &failure,
                                  unsigned int      &n_failures) const
   {
     try
       {
-        const bool converged = solve_level(level + 1, accuracy, x, failure);
-        n_failures           = 0;
-        return converged;
+        auto failure = solve_level(level + 1, accuracy, x);
+        n_failures   = 0;
+        return failure;
       }
-    catch (const NoConvergence &inner)
+    catch (const NoConvergence &failure)
       {
-        // a loop limit that is thrown is that of the whole step
-        if (inner.cause == FailureCause::loop_limit ||
+        if (failure.cause == FailureCause::budget ||
             ++n_failures > loops[level].n_failures_outlived)
           throw;
-        failure = inner.what();
-        return false;
+        return failure;
       }
   }
 
 
 
-  bool
+  std::optional<NoConvergence>
   NestedFixedPoint::solve_level(const unsigned int level,
                                 const double       accuracy,
-                                LA::BlockVector   &x,
-                                std::string       &failure) const
+                                LA::BlockVector   &x) const
   {
     if (level == loops.size())
       {
         solve_inner(x);
-        return true;
+        return {};
       }
     const FixedPointLoop &loop = loops[level];
     if (loop.is_live)
-      return solve_level(level + 1, accuracy, x, failure);
+      return solve_level(level + 1, accuracy, x);
     const double tolerance =
       loop.is_relative ? std::max(loop.tolerance, accuracy) : loop.tolerance;
 
     loop.quantity->evaluate(x);
     loop.quantity->accept();
-    double                  change          = 1.;
-    bool                    inner_converged = false;
-    std::set<std::uint64_t> seen;
-    bool                    is_repetition = false;
-    const auto              see           = [&]() {
-      const std::uint64_t fingerprint = loop.quantity->fingerprint();
-      return fingerprint != 0 && !seen.insert(fingerprint).second;
+    std::set<std::uint64_t> values; ///< all that were frozen so far
+    const auto              is_frozen_again = [&]() {
+      const std::uint64_t value = loop.quantity->fingerprint();
+      return value != 0 && !values.insert(value).second;
     };
-    see();
+    bool is_repetition = is_frozen_again();
 
     FixedPointAcceleration acceleration;
     LA::BlockVector        start;
-    unsigned int           pass       = 1;
+    double                 change     = 1.;
+    unsigned int           n_passes   = 0;
     unsigned int           n_failures = 0; ///< of the inner solver, in a row
-    for (; pass <= loop.max_iterations && !is_repetition; ++pass)
+    std::optional<NoConvergence> inside;
+    while (n_passes < loop.max_iterations && !is_repetition)
       {
         // An inner loop may run into its limit while this one is still far from
         // its fixed point (the first statuses cycle); only the last pass
@@ -128,20 +148,22 @@ namespace stickslip
         start = x;
         const double inner_accuracy =
           loop.is_relative ? accuracy_inside(level, change) : accuracy;
-        inner_converged =
-          solve_inside(level, inner_accuracy, x, failure, n_failures);
+        inside.reset();
+        if (const auto failure =
+              solve_inside(level, inner_accuracy, x, n_failures))
+          inside.emplace(*failure);
+        ++n_passes;
         loop.quantity->evaluate(x);
         change = loop.quantity->change();
         loop.quantity->accept();
         ++*loop.n_loops;
-        report(loop.quantity->name(), pass, change, level);
-        if (inner_converged && change <= tolerance &&
-            inner_accuracy <= accuracy)
-          return true;
-        is_repetition = see();
+        report(loop.quantity->name(), n_passes, change, level);
+        if (!inside && change <= tolerance && inner_accuracy <= accuracy)
+          return {};
+        is_repetition = is_frozen_again();
         if (!loop.is_accelerated)
           continue;
-        if (!inner_converged)
+        if (inside)
           acceleration.clear();
         else
           {
@@ -150,14 +172,6 @@ namespace stickslip
             loop.quantity->accept();
           }
       }
-    std::ostringstream text;
-    text << "the " << loop.quantity->name() << " loop "
-         << (is_repetition ? "repeats itself after " : "did not settle in ")
-         << pass - 1 << " passes; last change " << change << " (tolerance "
-         << tolerance << ")";
-    if (!inner_converged)
-      text << "; inside its last pass: " << failure;
-    failure = text.str();
-    return false;
+    return failure_of(loop, n_passes, change, tolerance, is_repetition, inside);
   }
 } // namespace stickslip

@@ -9,25 +9,114 @@ namespace stickslip
 {
   namespace
   {
-    /// Is geometry, threshold, status live?
-    using LiveFlags = std::array<bool, 3>;
+    /// Failures of Newton in a row that a loop over thresholds outlives where
+    /// an inner loop over the statuses is there to end the rest.
+    constexpr unsigned int few_failures = 5;
 
-    constexpr unsigned int most_failures =
+    constexpr unsigned int any_number =
       std::numeric_limits<unsigned int>::max();
 
 
 
-    const std::map<std::string, LiveFlags> &
-    named_algorithms()
+    struct NamedStrategy
     {
-      static const std::map<std::string, LiveFlags> algorithms = {
-        {"FPM", {{false, false, false}}},
-        {"PNM", {{false, true, true}}},
-        {"GCP", {{false, false, true}}},
-        {"GNM", {{true, true, true}}}};
-      return algorithms;
+      Algorithm        algorithm;
+      SolutionStrategy strategy;
+    };
+
+
+
+    /// All but `custom`, which the parameters define.
+    const std::vector<NamedStrategy> &
+    named_strategies()
+    {
+      constexpr Treatment                     fixed = Treatment::fixed_point;
+      constexpr Treatment                     live  = Treatment::newton;
+      static const std::vector<NamedStrategy> strategies = {
+        {Algorithm::fpm, {{{fixed, fixed, fixed}}}},
+        {Algorithm::pnm, {{{fixed, live, live}}}},
+        {Algorithm::gnm, {{{live, live, live}}}},
+        {Algorithm::gcp,
+         {{{fixed, fixed, live}},
+          IncrementSolver::projected_conjugate_gradient}}};
+      return strategies;
+    }
+
+
+
+    /// What `automatic` tries, one after the other.
+    const std::vector<Algorithm> &
+    automatic_sequence()
+    {
+      static const std::vector<Algorithm> sequence = {Algorithm::gnm,
+                                                      Algorithm::pnm,
+                                                      Algorithm::fpm};
+      return sequence;
+    }
+
+
+
+    std::string
+    entry_for(const Algorithm algorithm)
+    {
+      return "'Algorithm/Name = " + name_of(algorithm) + "'";
+    }
+
+
+
+    const Choices<Treatment> &
+    all_treatments()
+    {
+      static const Choices<Treatment> choices = {{"newton", Treatment::newton},
+                                                 {"fixed point",
+                                                  Treatment::fixed_point}};
+      return choices;
+    }
+
+
+
+    const Choices<Acceleration> &
+    all_accelerations()
+    {
+      static const Choices<Acceleration> choices = {
+        {"Anderson", Acceleration::anderson}, {"none", Acceleration::none}};
+      return choices;
+    }
+
+
+
+    const Choices<Tangent> &
+    all_tangents()
+    {
+      static const Choices<Tangent> choices = {{"consistent",
+                                                Tangent::consistent},
+                                               {"quasi", Tangent::quasi}};
+      return choices;
     }
   } // namespace
+
+
+
+  const Choices<Algorithm> &
+  all_algorithms()
+  {
+    static const Choices<Algorithm> choices = {{"automatic",
+                                                Algorithm::automatic},
+                                               {"FPM", Algorithm::fpm},
+                                               {"PNM", Algorithm::pnm},
+                                               {"GNM", Algorithm::gnm},
+                                               {"GCP", Algorithm::gcp},
+                                               {"custom", Algorithm::custom}};
+    return choices;
+  }
+
+
+
+  const std::string &
+  name_of(const Algorithm algorithm)
+  {
+    return name_of(algorithm, all_algorithms());
+  }
 
 
 
@@ -36,14 +125,14 @@ namespace stickslip
                                  const std::string &what,
                                  const std::string &change)
   {
-    prm.add_parameter("Treatment",
-                      treatment,
-                      expert(
-                        "Only with 'Name = custom'. newton: the " + what +
-                        " is recomputed in every residual and linearized. "
-                        "fixed point: it is frozen during Newton and refreshed "
-                        "in a loop."),
-                      Patterns::Selection("newton|fixed point"));
+    add_choice(prm,
+               "Treatment",
+               treatment,
+               all_treatments(),
+               expert("Only with 'Name = custom'. newton: the " + what +
+                      " is recomputed in every residual and linearized. "
+                      "fixed point: it is frozen during Newton and refreshed "
+                      "in a loop."));
     prm.add_parameter(
       "Tolerance",
       tolerance,
@@ -63,15 +152,16 @@ namespace stickslip
   void
   LoopParameters::add_acceleration(ParameterHandler &prm)
   {
-    prm.add_parameter(
+    add_choice(
+      prm,
       "Acceleration",
       acceleration,
+      all_accelerations(),
       expert(
         "How the fixed-point loop finds the start of its next pass. Anderson: "
         "the combination of the last passes with the smallest residual, which "
         "settles also where plain passes contract slowly or not at all. none: "
-        "the result of the last pass, as in the paper."),
-      Patterns::Selection("Anderson|none"));
+        "the result of the last pass, as in the paper."));
   }
 
 
@@ -79,9 +169,11 @@ namespace stickslip
   void
   AlgorithmParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter(
+    add_choice(
+      prm,
       "Name",
       name,
+      all_algorithms(),
       "FPM: fixed points on geometry, friction threshold and contact status. "
       "PNM: fixed point on the geometry, the rest in Newton. GNM: everything "
       "in Newton. automatic: GNM, and in steps where it cycles, stagnates or "
@@ -89,15 +181,15 @@ namespace stickslip
       "and threshold, statuses from a projected conjugate gradient in the "
       "multipliers; for comparison, needs 'Quadrature = nodal' and bodies that "
       "are supported without contact. custom: what the Treatment of each "
-      "quantity says.",
-      Patterns::Selection("automatic|FPM|PNM|GNM|GCP|custom"));
-    prm.add_parameter(
+      "quantity says.");
+    add_choice(
+      prm,
       "Tangent",
       tangent,
+      all_tangents(),
       expert(
         "consistent: all geometric terms of a live geometry, converges "
-        "quadratically. quasi: without the second variations (paper, 3.2.4)."),
-      Patterns::Selection("consistent|quasi"));
+        "quadratically. quasi: without the second variations (paper, 3.2.4)."));
     prm.enter_subsection("Geometry");
     geometry.add_parameters(
       prm,
@@ -125,8 +217,22 @@ namespace stickslip
 
 
 
+  SolutionStrategy
+  strategy_of(const Algorithm algorithm, const AlgorithmParameters &parameters)
+  {
+    for (const NamedStrategy &named : named_strategies())
+      if (named.algorithm == algorithm)
+        return named.strategy;
+    AssertThrow(algorithm == Algorithm::custom, ExcInternalError());
+    return {{{parameters.geometry.treatment,
+              parameters.threshold.treatment,
+              parameters.status.treatment}}};
+  }
+
+
+
   std::vector<FixedPointLoop>
-  make_loops(const std::string                        &name,
+  make_loops(const SolutionStrategy                   &strategy,
              const AlgorithmParameters                &parameters,
              const std::array<FreezableQuantity *, 3> &quantities,
              SolveCounts                              &counts)
@@ -135,28 +241,81 @@ namespace stickslip
       {&parameters.geometry, &parameters.threshold, &parameters.status}};
     const std::array<unsigned int *, 3> loop_counts = {
       {&counts.geometry_loops, &counts.threshold_loops, &counts.status_loops}};
-    const auto named = named_algorithms().find(name);
 
     std::vector<FixedPointLoop> loops;
     for (unsigned int i = 0; i < 3; ++i)
       {
         FixedPointLoop loop;
         loop.quantity       = quantities[i];
-        loop.is_live        = named != named_algorithms().end()
-                                ? named->second[i]
-                                : loop_parameters[i]->treatment == "newton";
+        loop.is_live        = strategy.treatments[i] == Treatment::newton;
         loop.tolerance      = loop_parameters[i]->tolerance;
         loop.max_iterations = loop_parameters[i]->max_iterations;
-        loop.is_accelerated = loop_parameters[i]->acceleration == "Anderson";
-        loop.n_loops        = loop_counts[i];
+        loop.is_accelerated =
+          loop_parameters[i]->acceleration == Acceleration::anderson;
+        loop.n_loops = loop_counts[i];
         loops.push_back(loop);
       }
     loops[2].is_relative = false; // a number of points
     // With its first thresholds, far from the final ones, a live status may
-    // cycle in Newton for ever, as it does in the status loop of FPM; and so
-    // may stick and slip, which are live in all algorithms.
+    // cycle in Newton indefinitely, as it does in the status loop of FPM; and
+    // so may stick and slip, which are live in all algorithms.
     if (!loops[1].is_live)
-      loops[1].n_failures_outlived = loops[2].is_live ? most_failures : 5;
+      loops[1].n_failures_outlived =
+        loops[2].is_live ? any_number : few_failures;
     return loops;
+  }
+
+
+
+  std::vector<Algorithm>
+  fallback_sequence(const Algorithm chosen, const bool has_contact)
+  {
+    if (chosen != Algorithm::automatic)
+      return {chosen};
+    return has_contact ? automatic_sequence()
+                       : std::vector<Algorithm>{automatic_sequence().front()};
+  }
+
+
+
+  bool
+  needs_nodal_quadrature(const Algorithm algorithm)
+  {
+    return algorithm != Algorithm::automatic &&
+           strategy_of(algorithm, AlgorithmParameters()).increment_solver ==
+             IncrementSolver::projected_conjugate_gradient;
+  }
+
+
+
+  std::string
+  advice_to_freeze_geometry()
+  {
+    for (const Algorithm algorithm : automatic_sequence())
+      if (strategy_of(algorithm, AlgorithmParameters()).treatments[0] ==
+          Treatment::fixed_point)
+        return entry_for(algorithm);
+    throw ExcInternalError();
+  }
+
+
+
+  std::string
+  advice_to_fall_back()
+  {
+    std::string text;
+    for (unsigned int i = 1; i < automatic_sequence().size(); ++i)
+      text += i == 1 ? entry_for(automatic_sequence()[i])
+                     : ", then " + name_of(automatic_sequence()[i]);
+    return text;
+  }
+
+
+
+  std::string
+  advice_to_avoid_loops()
+  {
+    return entry_for(automatic_sequence().front()) +
+           ", which has no such loops";
   }
 } // namespace stickslip

@@ -14,8 +14,10 @@ namespace
   /// A failed step with nothing to see; each test adds its traces.
   struct Traces
   {
-    std::string                      message = "Newton: no convergence";
-    FailureCause                     cause   = FailureCause::stagnation;
+    std::string                      solver = "Newton";
+    std::string                      reason = "no convergence";
+    FailurePlace                     place;
+    FailureCause                     cause = FailureCause::stagnation;
     std::vector<NewtonIteration>     iterations;
     StatusCycle                      cycle;
     std::vector<PointDiagnosis<2>>   points;
@@ -86,10 +88,12 @@ namespace
   void
   explain(const std::string &title, const Traces &traces)
   {
-    const NoConvergence    failure("Newton", "no convergence", traces.cause);
-    const NoConvergence    retold(traces.message, failure);
+    const NoConvergence    failure(traces.solver,
+                                traces.reason,
+                                traces.cause,
+                                traces.place);
     const NewtonParameters newton;
-    const auto             explanation = explain_failure<2>({retold,
+    const auto             explanation = explain_failure<2>({failure,
                                                              traces.iterations,
                                                              newton,
                                                              traces.cycle,
@@ -108,11 +112,14 @@ namespace
   test_matrices_and_cells()
   {
     Traces inverted;
-    inverted.cause = FailureCause::inadmissible;
-    inverted.message =
-      "Newton: The volume is not positive in body 'shoe' at "
-      "the reference position (1, 2).";
-    explain("inverted cell", inverted);
+    inverted.cause          = FailureCause::inadmissible;
+    inverted.reason         = "The volume is not positive";
+    inverted.place.body     = "shoe in shoe";
+    inverted.place.position = {1., 2.};
+    explain("inverted cell in a body whose name has a word of the text",
+            inverted);
+    inverted.place = {};
+    explain("inadmissible, nobody knows where", inverted);
 
     Traces singular;
     singular.cause = FailureCause::singular;
@@ -172,9 +179,22 @@ namespace
   test_iterations()
   {
     Traces loop;
-    loop.cause   = FailureCause::loop_limit;
-    loop.message = "Fixed point: the geometry loop did not settle in 30 passes";
+    loop.solver     = "Fixed point";
+    loop.cause      = FailureCause::loop_limit;
+    loop.reason     = "the geometry loop did not settle in 30 passes";
+    loop.place.loop = "geometry";
     explain("outer loop", loop);
+    loop.cause      = FailureCause::loop_cycle;
+    loop.reason     = "the status loop repeats itself after 4 passes";
+    loop.place.loop = "status";
+    explain("outer loop that cycles", loop);
+    loop.solver = "GNM";
+    loop.cause  = FailureCause::budget;
+    loop.reason =
+      "no end in sight after 300 Newton iterations, the budget of "
+      "an attempt";
+    loop.place = {};
+    explain("budget used up", loop);
 
     Traces grows;
     grows.set_residuals({1., 10., 1e2, 1e3, 1e4, 1e5, 1e6, 1e7});

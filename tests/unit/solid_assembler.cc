@@ -321,7 +321,8 @@ namespace
     problem.residual(0.);
     print("inverted state is inadmissible",
           !problem.assembler->state_is_admissible());
-    print(problem.assembler->inadmissible_point());
+    const InadmissibleState state = problem.assembler->inadmissible_state();
+    print(state.reason + " in " + state.place.in_words() + ".");
   }
 
 

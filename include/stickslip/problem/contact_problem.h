@@ -1,6 +1,7 @@
 #ifndef stickslip_problem_contact_problem_h
 #define stickslip_problem_contact_problem_h
 
+#include <stickslip/base/no_convergence.h>
 #include <stickslip/base/parameter_file.h>
 #include <stickslip/base/solve_counts.h>
 
@@ -135,10 +136,20 @@ namespace stickslip
     std::array<FreezableQuantity *, 3>
     quantities();
 
-    /// False (with the reason) if a point of the last evaluated state is
-    /// outside the range of its material.
+    /// False if a point of the last evaluated state is outside the range of its
+    /// material.
     bool
-    state_is_admissible(std::string &reason) const;
+    state_is_admissible() const
+    {
+      return solid_assembler->state_is_admissible();
+    }
+
+    /// Why and where it is.
+    InadmissibleState
+    inadmissible_state() const
+    {
+      return solid_assembler->inadmissible_state();
+    }
 
     /// Keeps histories of the state @p x.
     void

@@ -16,12 +16,12 @@
 #include <stickslip/problem/acceptance.h>
 
 #include <stickslip/simulation/checkpoint_description.h>
-#include <stickslip/simulation/load_stepping.h>
 #include <stickslip/simulation/reference_checks.h>
 
 #include <stickslip/solid/boundary_condition_parameters.h>
 #include <stickslip/solid/material_parameters.h>
 
+#include <stickslip/strategy/load_stepping.h>
 #include <stickslip/strategy/solution_strategy.h>
 
 #include <deal.II/base/parameter_handler.h>

@@ -5,6 +5,8 @@
 
 #include <stickslip/simulation/work_balance.h>
 
+#include <stickslip/strategy/step_control.h>
+
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -15,10 +17,8 @@ namespace stickslip
   /// The numbers of a state that are not fields.
   struct CheckpointScalars
   {
-    double       time      = 0.;
-    double       step_size = 0.;
-    unsigned int step      = 0;
-    WorkBalance  work;
+    StepControlState control;
+    WorkBalance      work;
   };
 
 
@@ -67,6 +67,10 @@ namespace stickslip
 
     std::string
     text() const;
+
+    /// Empty, or in words that @p text is one of another version of the program.
+    static std::string
+    other_format(const std::string &text);
 
     /// Reads text(). Returns an empty string, or what is wrong with it.
     std::string

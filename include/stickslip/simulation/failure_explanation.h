@@ -27,7 +27,8 @@ namespace stickslip
    * this order: an inadmissible cell or material point, a singular matrix
    * (contact lost, threshold missing, sliding, redundant rows), a cycle of
    * statuses or facets, points that change their facets without a cycle, points
-   * that lost their master, an outer loop at its limit, a diverging residual,
+   * that lost their master, an outer loop at its limit or repeating itself, a
+   * used up iteration budget, a diverging residual,
    * one that stands just above its tolerance, one that falls too slowly.
    * Collective; the same on all ranks.
    */

@@ -18,10 +18,12 @@
 #include <stickslip/simulation/case_parameters.h>
 #include <stickslip/simulation/contact_warnings.h>
 #include <stickslip/simulation/convergence_log.h>
+#include <stickslip/simulation/failure_report.h>
 #include <stickslip/simulation/force_tables.h>
-#include <stickslip/simulation/load_stepping.h>
 #include <stickslip/simulation/step_solver.h>
 #include <stickslip/simulation/work_balance.h>
+
+#include <stickslip/strategy/step_control.h>
 
 #include <memory>
 #include <string>
@@ -55,12 +57,12 @@ namespace stickslip
     Mesh<dim>                     mesh;
     ContactProblem<dim>           problem;
     std::unique_ptr<LinearSolver> linear_solver;
-    LoadStepping                  load_stepping;
+    StepControl                   step_control;
 
     LA::BlockVector x;        ///< present state
     AcceptedState   accepted; ///< last accepted state
+    Attempt         solved;   ///< the last step
     WorkBalance     work;
-    unsigned int    n_cuts = 0;
     ContactWarnings warnings;
 
     FieldOutput<dim>   field_output;
@@ -72,12 +74,24 @@ namespace stickslip
     StepSolver<dim>    step_solver;
     Progress           progress;
 
-    /// Sets x to a guess of the state at @p time.
-    void
-    predict(const double time);
+    /// Load time; shorter than step_control.steps().
+    const LoadStepping &
+    steps() const
+    {
+      return step_control.steps();
+    }
 
     void
-    solve_step(const double time);
+    begin_step();
+
+    /// Goes on from the accepted state as in the last step, to
+    /// steps().next_time().
+    LA::BlockVector
+    predict() const;
+
+    /// Returns false, and has cut the step, if no attempt succeeded.
+    bool
+    solve_step();
 
     void
     accept_step();
@@ -90,8 +104,14 @@ namespace stickslip
       progress.warn(text);
     }
 
+    /// Reports @p failure, restores the accepted state and cuts the step. Throws
+    /// if that is not possible.
     void
-    give_up_step(const NoConvergence &failure);
+    cut_step(const NoConvergence &failure);
+
+    /// Ends the run at the last accepted state: always throws.
+    [[noreturn]] void
+    stop(const NoConvergence &failure, const FailureReport &report);
 
     void
     write_results(const std::vector<ContactFaceResult<dim>> &faces);

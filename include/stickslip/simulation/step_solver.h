@@ -11,16 +11,13 @@
 #include <stickslip/simulation/case_parameters.h>
 #include <stickslip/simulation/convergence_log.h>
 
-#include <stickslip/strategy/algorithm_ladder.h>
-
-#include <string>
+#include <stickslip/strategy/step_control.h>
 
 namespace stickslip
 {
   /**
-   * Solves one load step with whatever it takes: the algorithm of the ladder,
-   * cures for cycles, and an independent look at the result. All functions are
-   * collective.
+   * Solves one load step: makes the attempts that the step control decides on,
+   * one after the other, and verifies the result. All functions are collective.
    */
   template <int dim>
   class StepSolver
@@ -32,25 +29,22 @@ namespace stickslip
                LinearSolver         &linear_solver,
                ConvergenceLog       &log);
 
-    /**
-     * Solves the step to @p time from the state @p accepted; @p x is a guess
-     * before and the solution after. An algorithm that takes more than
-     * @p iteration_limit Newton iterations has failed. problem.counts has what
-     * the successful one took. Throws NoConvergence when no algorithm of the
-     * ladder succeeds.
-     */
+    /// A step begins: all counts of a step are zero.
     void
+    begin_step();
+
+    /**
+     * Solves the step to @p time from the state @p accepted, where attempts may
+     * start from @p predicted, too; the solution is @p x. Returns the attempt
+     * that solved it; problem.counts has what that one took. Throws the
+     * NoConvergence of the last attempt when @p control knows no further one.
+     */
+    Attempt
     solve(const double           time,
           const LA::BlockVector &accepted,
-          const unsigned int     iteration_limit,
+          const LA::BlockVector &predicted,
+          const StepControl     &control,
           LA::BlockVector       &x);
-
-    /// What solved the last step.
-    const std::string &
-    algorithm() const
-    {
-      return ladder.algorithm();
-    }
 
     /// What was found in the last solution.
     const Acceptance &
@@ -59,8 +53,12 @@ namespace stickslip
       return found;
     }
 
-    /// Newton iterations of attempts that failed, since the last reset.
-    unsigned int failed_newton_iterations = 0;
+    /// Newton iterations of attempts at this step that failed.
+    unsigned int
+    failed_newton_iterations() const
+    {
+      return failed_iterations;
+    }
 
     CyclingCures<dim> cures;
 
@@ -69,25 +67,20 @@ namespace stickslip
     ContactProblem<dim>  &problem;
     LinearSolver         &linear_solver;
     ConvergenceLog       &log;
-    AlgorithmLadder       ladder;
     Acceptance            found;
-    unsigned int          most_iterations = 0; ///< of an algorithm in this step
+    unsigned int          failed_iterations = 0; ///< of this step
 
-    /// Solves with one algorithm and examines the result. A second time with
-    /// other scales, or with points that learn from their hops, if these may be
-    /// the reason why that fails.
+    /// Brings the contact points into the state that @p attempt begins with.
     void
-    solve_with(const std::string     &algorithm,
-               const LA::BlockVector &guess,
-               LA::BlockVector       &x);
+    prepare(const Attempt &attempt);
 
+    /// Makes an attempt from the guess @p x. Throws NoConvergence.
     void
-    attempt(const std::string &algorithm, LA::BlockVector &x);
+    make(const Attempt &attempt, LA::BlockVector &x);
 
+    /// Throws NoConvergence if the converged state @p x is wrong.
     void
-    solve_increment(const LA::BlockVector &state,
-                    const double           sufficient,
-                    LA::BlockVector       &increment);
+    verify(const LA::BlockVector &x);
   };
 } // namespace stickslip
 

@@ -1,6 +1,8 @@
 #ifndef stickslip_solid_inadmissible_point_h
 #define stickslip_solid_inadmissible_point_h
 
+#include <stickslip/base/no_convergence.h>
+
 #include <stickslip/mesh/body.h>
 
 #include <deal.II/base/mpi.h>
@@ -29,9 +31,10 @@ namespace stickslip
     bool
     exists(const MPI_Comm communicator) const;
 
-    /// A sentence with body and position, or "" if there is none. Collective.
-    std::string
-    description(const MPI_Comm communicator, const Bodies &bodies) const;
+    /// What happened, with body and position; empty texts if there is no such
+    /// point. Collective.
+    InadmissibleState
+    describe(const MPI_Comm communicator, const Bodies &bodies) const;
 
   private:
     bool               happened = false;

@@ -97,10 +97,10 @@ namespace stickslip
     bool
     state_is_admissible() const;
 
-    /// Says where the last evaluation failed (one point out of all ranks), or
-    /// "" if it did not. Collective.
-    std::string
-    inadmissible_point() const;
+    /// Why and where the last evaluation failed (one point out of all ranks).
+    /// Collective.
+    InadmissibleState
+    inadmissible_state() const;
 
     /// The trial history of the last evaluation becomes the accepted one.
     void

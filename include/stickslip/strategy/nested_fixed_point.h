@@ -2,8 +2,10 @@
 #define stickslip_strategy_nested_fixed_point_h
 
 #include <stickslip/base/freezable_quantity.h>
+#include <stickslip/base/no_convergence.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,7 +31,9 @@ namespace stickslip
    * fixed-point loop for every quantity that is not live, outermost first,
    * around an inner solver. Inner loops stop at a tenth of the last change of
    * the loop around them; before an outer loop is taken as converged they have
-   * to reach their own tolerances.
+   * to reach their own tolerances. A failure of the inner solver may be
+   * outlived (FixedPointLoop::n_failures_outlived), except
+   * FailureCause::budget, which ends the whole attempt.
    */
   class NestedFixedPoint
   {
@@ -60,21 +64,20 @@ namespace stickslip
     accuracy_inside(const unsigned int level, const double change) const;
 
     /// One pass inside the loop of @p level, after @p n_failures of the inner
-    /// solver in a row. Returns whether all inner loops converged.
-    bool
+    /// solver in a row. Returns the failure of an inner loop or of the inner
+    /// solver, none if all converged.
+    std::optional<NoConvergence>
     solve_inside(const unsigned int level,
                  const double       accuracy,
                  LA::BlockVector   &x,
-                 std::string       &failure,
                  unsigned int      &n_failures) const;
 
     /// Solves until changes are at most @p accuracy, or at most the tolerances.
-    /// Returns whether this and all inner loops converged.
-    bool
+    /// Returns the failure of this or of an inner loop.
+    std::optional<NoConvergence>
     solve_level(const unsigned int level,
                 const double       accuracy,
-                LA::BlockVector   &x,
-                std::string       &failure) const;
+                LA::BlockVector   &x) const;
   };
 } // namespace stickslip
 

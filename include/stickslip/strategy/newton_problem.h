@@ -2,6 +2,7 @@
 #define stickslip_strategy_newton_problem_h
 
 #include <stickslip/base/cycle_treatment.h>
+#include <stickslip/base/no_convergence.h>
 #include <stickslip/base/types.h>
 
 #include <string>
@@ -55,6 +56,13 @@ namespace stickslip
     is_admissible(std::string & /*reason*/) const
     {
       return true;
+    }
+
+    /// Where the last residual was outside of the model.
+    virtual FailurePlace
+    inadmissible_place() const
+    {
+      return {};
     }
 
     /// Called after the residual of the start and of each iterate.

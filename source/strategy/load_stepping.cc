@@ -1,11 +1,10 @@
-#include <stickslip/simulation/load_stepping.h>
+#include <stickslip/strategy/load_stepping.h>
 
 #include <stickslip/base/expert_parameter.h>
 #include <stickslip/base/user_error.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace stickslip
@@ -15,19 +14,28 @@ namespace stickslip
     /// Times closer than this fraction of the whole interval are the same.
     constexpr double same_time = 1e-10;
 
-    /// Steps whose Newton iterations tell what a step costs.
-    constexpr unsigned int n_remembered = 3;
+    /// A rest of at most this many steps is one step.
+    constexpr double whole_rest = 1. + 1e-6;
 
-    /// A step that costs so many times as much as the costliest of them has
-    /// cost more than two halves would.
-    constexpr unsigned int costly = 3;
+    /// A rest below this many steps, larger than one, is made in two halves.
+    constexpr double shared_rest = 1.5;
 
-    /// As many iterations are always allowed: it is early to judge.
-    constexpr unsigned int always_allowed = 100;
+    /// Easy steps in a row that growth waits for after a first cut.
+    constexpr unsigned int first_growth_delay = 2;
 
-    /// Most easy steps that growth waits for.
-    constexpr unsigned int longest_patience = 8;
+    /// ... and after many.
+    constexpr unsigned int longest_growth_delay = 8;
   } // namespace
+
+
+
+  const Choices<Predictor> &
+  all_predictors()
+  {
+    static const Choices<Predictor> choices = {{"linear", Predictor::linear},
+                                               {"none", Predictor::none}};
+    return choices;
+  }
 
 
 
@@ -71,14 +79,14 @@ namespace stickslip
                       "A step is easy if it took at most this many Newton "
                       "iterations.",
                       Patterns::Integer(0));
-    prm.add_parameter("Predictor",
-                      predictor,
-                      expert(
-                        "Where Newton starts in a step. linear: the "
-                        "displacements are extrapolated from the last step "
-                        "(not after a cut or a requested time). none: "
-                        "the accepted state."),
-                      Patterns::Selection("linear|none"));
+    add_choice(prm,
+               "Predictor",
+               predictor,
+               all_predictors(),
+               expert("Where Newton starts in a step. linear: the "
+                      "displacements are extrapolated from the last step "
+                      "(not after a cut or a requested time). none: "
+                      "the accepted state."));
     prm.add_parameter(
       "Requested times",
       requested_times,
@@ -133,6 +141,7 @@ namespace stickslip
       return p;
     }())
     , step(parameters.initial_step)
+    , growth_delay(first_growth_delay, longest_growth_delay)
   {}
 
 
@@ -159,36 +168,23 @@ namespace stickslip
 
 
   double
-  LoadStepping::propose_step()
+  LoadStepping::next_time() const
   {
     double target = parameters.end_time;
-    for (const double time : parameters.requested_times)
-      if (time > current_time + same_time * parameters.end_time)
+    for (const double requested : parameters.requested_times)
+      if (requested > current_time + same_time * parameters.end_time)
         {
-          target = std::min(target, time);
+          target = std::min(target, requested);
           break;
         }
     // A step that nearly reaches the target takes all of it; a rest is shared,
     // so that no tiny step remains.
     const double rest = target - current_time;
-    proposed_time     = current_time + step;
-    if (rest <= step * (1. + 1e-6))
-      proposed_time = target;
-    else if (rest < 1.5 * step && step < parameters.maximum_step)
-      proposed_time = current_time + 0.5 * rest;
-    return proposed_time;
-  }
-
-
-
-  unsigned int
-  LoadStepping::iteration_limit() const
-  {
-    if (last_iterations.empty() || !can_be_cut())
-      return std::numeric_limits<unsigned int>::max();
-    const unsigned int most =
-      *std::max_element(last_iterations.begin(), last_iterations.end());
-    return std::max(costly * most, always_allowed);
+    if (rest <= whole_rest * step)
+      return target;
+    if (rest < shared_rest * step && step < parameters.maximum_step)
+      return current_time + 0.5 * rest;
+    return current_time + step;
   }
 
 
@@ -196,21 +192,22 @@ namespace stickslip
   void
   LoadStepping::accept_step(const unsigned int newton_iterations)
   {
-    current_time = proposed_time;
+    current_time = next_time();
     ++n_accepted;
-    last_iterations.push_back(newton_iterations);
-    if (last_iterations.size() > n_remembered)
-      last_iterations.pop_front();
-
     if (has_grown)
-      patience = std::max(patience / 2, 1U);
-    n_easy = newton_iterations <= parameters.easy_iterations ? n_easy + 1 : 0;
-    has_grown = n_easy >= patience && step < parameters.maximum_step;
+      growth_delay.succeed();
+    const bool is_easy = newton_iterations <= parameters.easy_iterations;
+    if (is_easy)
+      growth_delay.advance();
+    else
+      growth_delay.restart();
+    has_grown =
+      is_easy && !growth_delay.is_waiting() && step < parameters.maximum_step;
     if (has_grown)
       {
         step =
           std::min(step * parameters.growth_factor, parameters.maximum_step);
-        n_easy = 0;
+        growth_delay.restart();
       }
   }
 
@@ -219,42 +216,60 @@ namespace stickslip
   bool
   LoadStepping::can_be_cut() const
   {
-    return parameters.cut_factor * (proposed_time - current_time) >=
+    return parameters.cut_factor * (next_time() - current_time) >=
            parameters.minimum_step * (1. - same_time);
   }
 
 
 
-  void
-  LoadStepping::cut_step(const NoConvergence &failure)
+  bool
+  LoadStepping::cut_step()
   {
-    const double tried = proposed_time - current_time;
-    step               = parameters.cut_factor * tried;
-    patience           = std::min(2 * patience, longest_patience);
-    n_easy             = 0;
-    has_grown          = false;
-    if (!can_be_cut())
-      {
-        std::ostringstream where;
-        where << "Load step to t = " << proposed_time << " of size " << tried
-              << " failed and the next would be below 'Load stepping/Minimum "
-                 "step' = "
-              << parameters.minimum_step;
-        throw NoConvergence(where.str() + ": " + failure.what(), failure);
-      }
+    const bool is_large_enough = can_be_cut();
+    step                       = parameters.cut_factor * (next_time() - time());
+    has_grown                  = false;
+    growth_delay.fail();
+    return is_large_enough;
+  }
+
+
+
+  std::string
+  LoadStepping::describe_last_step() const
+  {
+    std::ostringstream text;
+    text << "Load step to t = " << next_time() << " of size "
+         << next_time() - current_time
+         << " failed and the next would be below 'Load stepping/Minimum "
+            "step' = "
+         << parameters.minimum_step;
+    return text.str();
+  }
+
+
+
+  LoadSteppingState
+  LoadStepping::state() const
+  {
+    return {current_time,
+            step,
+            n_accepted,
+            growth_delay.wait_length(),
+            growth_delay.steps_left(),
+            has_grown};
   }
 
 
 
   void
-  LoadStepping::resume(const double       time,
-                       const double       step_size,
-                       const unsigned int step_number)
+  LoadStepping::resume(const LoadSteppingState &state)
   {
-    current_time = time;
-    n_accepted   = step_number;
+    current_time = state.time;
+    n_accepted   = state.step;
     // the limits may be new, and a failed run has cut below the minimum
-    step = std::min(std::max(step_size, parameters.minimum_step),
+    step = std::min(std::max(state.step_size, parameters.minimum_step),
                     parameters.maximum_step);
+    growth_delay.resume(state.growth_delay, state.growth_delay_left);
+    has_grown = state.has_grown;
   }
 } // namespace stickslip

@@ -1,0 +1,144 @@
+#ifndef stickslip_strategy_load_stepping_h
+#define stickslip_strategy_load_stepping_h
+
+#include <stickslip/base/choice.h>
+
+#include <stickslip/strategy/back_off.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+#include <vector>
+
+namespace stickslip
+{
+  using namespace dealii;
+
+  /// Where Newton starts in a step.
+  enum class Predictor
+  {
+    linear, ///< the displacements go on as in the last step
+    none    ///< the accepted state
+  };
+
+  const Choices<Predictor> &
+  all_predictors();
+
+
+
+  /// The section "Load stepping".
+  struct LoadSteppingParameters
+  {
+    double              end_time        = 1.;
+    double              initial_step    = 1.;
+    double              minimum_step    = 0.;
+    double              maximum_step    = 0.;
+    double              cut_factor      = 0.5;
+    double              growth_factor   = 1.5;
+    unsigned int        easy_iterations = 12;
+    Predictor           predictor       = Predictor::linear;
+    std::vector<double> requested_times;
+    double              stabilization_factor = 0.;
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    void
+    check(const std::string &path) const;
+  };
+
+
+
+  /// What LoadStepping remembers from step to step.
+  struct LoadSteppingState
+  {
+    double       time              = 0.;
+    double       step_size         = 0.;
+    unsigned int step              = 0; ///< number of accepted steps
+    unsigned int growth_delay      = 0;
+    unsigned int growth_delay_left = 0;
+    bool         has_grown         = false; ///< after the last accepted step
+  };
+
+
+
+  /**
+   * Chooses the sizes of the load steps from time 0 to the end: cuts a step
+   * that failed, lets steps grow again after easy ones, and hits requested
+   * times exactly.
+   *
+   * Without cuts each easy step lets the next one grow. After a cut, growth
+   * waits for two easy steps in a row, and for twice as many each time that a
+   * step fails again before a larger one has been accepted, at most eight.
+   */
+  class LoadStepping
+  {
+  public:
+    explicit LoadStepping(const LoadSteppingParameters &parameters);
+
+    bool
+    finished() const;
+
+    /// The time that the next step goes to.
+    double
+    next_time() const;
+
+    /// The step to next_time() was solved with this many Newton iterations.
+    void
+    accept_step(const unsigned int newton_iterations);
+
+    /// What a cut would leave of the step to next_time() is not below the
+    /// minimum.
+    bool
+    can_be_cut() const;
+
+    /// The step to next_time() has failed: makes it smaller. Returns what
+    /// can_be_cut() said before.
+    bool
+    cut_step();
+
+    /// The failed step in words, where it cannot be cut.
+    std::string
+    describe_last_step() const;
+
+    /// True where the load may change its direction: at a requested time.
+    bool
+    is_at_requested_time() const;
+
+    double
+    time() const
+    {
+      return current_time;
+    }
+
+    double
+    step_size() const
+    {
+      return step;
+    }
+
+    /// Number of accepted steps.
+    unsigned int
+    step_number() const
+    {
+      return n_accepted;
+    }
+
+    LoadSteppingState
+    state() const;
+
+    /// Continues at a state of an earlier run.
+    void
+    resume(const LoadSteppingState &state);
+
+  private:
+    const LoadSteppingParameters parameters;
+    double                       current_time = 0.;
+    double                       step;
+    unsigned int                 n_accepted = 0;
+    BackOff                      growth_delay; ///< in easy steps in a row
+    bool                         has_grown = false;
+  };
+} // namespace stickslip
+
+#endif

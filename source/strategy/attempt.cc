@@ -1,0 +1,79 @@
+#include <stickslip/strategy/attempt.h>
+
+#include <algorithm>
+
+namespace stickslip
+{
+  namespace
+  {
+    bool
+    another_algorithm_may_help(const FailureCause cause)
+    {
+      switch (cause)
+        {
+          case FailureCause::cycle:
+          case FailureCause::stagnation:
+          case FailureCause::loop_limit:
+          case FailureCause::loop_cycle:
+          case FailureCause::budget:
+          case FailureCause::rejected:
+            return true;
+          case FailureCause::divergence:
+          case FailureCause::inadmissible:
+          case FailureCause::singular:
+          case FailureCause::linear_solver:
+            return false;
+        }
+      return false;
+    }
+
+
+
+    bool
+    is_retry(const Attempt &attempt)
+    {
+      return attempt.scales == Attempt::Scales::contact_stiffness;
+    }
+  } // namespace
+
+
+
+  std::optional<Attempt>
+  next_attempt(const Attempt                &failed,
+               const FailureCause            cause,
+               const RetryEffect            &effect,
+               const std::vector<Algorithm> &sequence)
+  {
+    Attempt next = failed;
+    next.pairing = Attempt::Pairing::hysteresis;
+    if (!is_retry(failed) && (effect.scales || effect.pairing))
+      {
+        next.scales = Attempt::Scales::contact_stiffness;
+        return next;
+      }
+    const auto present =
+      std::find(sequence.begin(), sequence.end(), failed.algorithm);
+    if (!another_algorithm_may_help(cause) || present == sequence.end() ||
+        present + 1 == sequence.end())
+      return {};
+    next.algorithm = *(present + 1);
+    next.guess     = Attempt::Guess::accepted;
+    next.scales    = Attempt::Scales::as_adapted;
+    return next;
+  }
+
+
+
+  std::string
+  describe_change(const Attempt &failed, const Attempt &next)
+  {
+    std::string text = "next attempt: " + name_of(next.algorithm);
+    if (next.guess != failed.guess)
+      text += ", from the accepted state";
+    if (next.scales == Attempt::Scales::contact_stiffness)
+      text += ", r at the contact stiffness";
+    if (next.pairing != failed.pairing)
+      text += ", pairing with hysteresis";
+    return text;
+  }
+} // namespace stickslip
