@@ -28,10 +28,10 @@ namespace stickslip
       using SolveIncrement = std::function<
         void(const LA::BlockVector &, const double, LA::BlockVector &)>;
 
-      StepNewtonProblem(ContactProblem<dim> &problem,
-                        CyclingCures<dim>   &cures,
-                        ConvergenceLog      &log,
-                        SolveIncrement       solve)
+      StepNewtonProblem(ContactProblem<dim>       &problem,
+                        StatusCycleTreatment<dim> &cures,
+                        ConvergenceLog            &log,
+                        SolveIncrement             solve)
         : problem(problem)
         , cures(cures)
         , log(log)
@@ -76,8 +76,8 @@ namespace stickslip
       treat_cycle(const bool stagnates) override
       {
         const CycleTreatment treatment = cures.observe(stagnates);
-        if (!cures.description().empty())
-          log.note(cures.description());
+        if (cures.last_report())
+          log.cycle_treatment(*cures.last_report());
         return treatment;
       }
 
@@ -88,10 +88,10 @@ namespace stickslip
       }
 
     private:
-      ContactProblem<dim> &problem;
-      CyclingCures<dim>   &cures;
-      ConvergenceLog      &log;
-      const SolveIncrement solve;
+      ContactProblem<dim>       &problem;
+      StatusCycleTreatment<dim> &cures;
+      ConvergenceLog            &log;
+      const SolveIncrement       solve;
     };
   } // namespace
 

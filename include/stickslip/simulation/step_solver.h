@@ -1,7 +1,7 @@
 #ifndef stickslip_simulation_step_solver_h
 #define stickslip_simulation_step_solver_h
 
-#include <stickslip/contact/cycling/cycling_cures.h>
+#include <stickslip/contact/cycling/status_cycle_treatment.h>
 
 #include <stickslip/linear_solvers/linear_solver.h>
 
@@ -62,7 +62,7 @@ namespace stickslip
     /// Newton iterations of attempts that failed, since the last reset.
     unsigned int failed_newton_iterations = 0;
 
-    CyclingCures<dim> cures;
+    StatusCycleTreatment<dim> cures;
 
   private:
     const CaseParameters &parameters;
