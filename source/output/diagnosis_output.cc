@@ -109,6 +109,18 @@ namespace stickslip
 
 
 
+    /// In words; empty: nothing was done.
+    template <int dim>
+    std::string
+    treatment_of(const PointDiagnosis<dim> &point)
+    {
+      return point.treatment == PointTreatment::none && point.keeps_facet
+               ? "kept on its facet"
+               : name_of(point.treatment);
+    }
+
+
+
     template <int dim>
     std::string
     csv_header()
@@ -119,7 +131,7 @@ namespace stickslip
           text += std::string(",") + position + "xyz"[d];
       return text +
              ",status,history,cycle,period,changes_facet,facet_changes,gap,"
-             "pressure,Lambda,master_facet,was_paired,remedy\n";
+             "pressure,Lambda,master_facet,was_paired,treatment\n";
     }
 
 
@@ -135,7 +147,7 @@ namespace stickslip
           add(exact_number(x[d]));
       add(name_of(point.state));
       add(point.history);
-      add(point.cycle);
+      add(point.cycle ? name_of(*point.cycle) : "");
       add(std::to_string(point.period));
       add(std::to_string(point.changes_facet));
       add(std::to_string(point.n_facet_changes));
@@ -143,7 +155,7 @@ namespace stickslip
         add(exact_number(value));
       add(point.facet);
       add(std::to_string(point.was_paired));
-      add(quoted_for_csv(point.remedy));
+      add(quoted_for_csv(treatment_of(point)));
       return line + '\n';
     }
 

@@ -69,6 +69,22 @@ namespace stickslip
 
 
   void
+  ConvergenceLog::cycle_treatment(const CycleReport &report)
+  {
+    if (!file.is_open())
+      return;
+    file << "  statuses repeat (";
+    for (unsigned int kind = 0, n_words = 0; kind < n_cycle_kinds; ++kind)
+      if (report.n_cycling[kind] > 0)
+        file << (n_words++ > 0 ? ", " : "") << report.n_cycling[kind]
+             << " points " << name_of(static_cast<CycleKind>(kind));
+    file << "): " << report.n_other_r << " get another r, " << report.n_fixed
+         << " a fixed status until the rest has converged" << std::endl;
+  }
+
+
+
+  void
   ConvergenceLog::note(const std::string &text)
   {
     if (file.is_open())

@@ -54,23 +54,23 @@ namespace stickslip
 
     template <int dim>
     std::string
-    advice_against(const std::string     &cycle,
+    advice_against(const CycleKind        cycle,
                    const PointGroup<dim> &group,
                    const FailedStep<dim> &step)
     {
       const std::string smaller = "a smaller 'Load stepping/Initial step'";
-      if (cycle == name_of(CycleKind::pairing))
+      if (cycle == CycleKind::pairing)
         return "make the master surface larger than what the slave reaches, "
                "exchange slave and master, or enlarge " +
                parameter_of(group, step, "Projection tolerance") + ".";
-      if (cycle == name_of(CycleKind::facet))
+      if (cycle == CycleKind::facet)
         return parameter_of(group, step, "Normals") + " = smoothed; " +
                advice_to_freeze_geometry() + "; a larger " +
                parameter_of(group, step, "Facet overlap") + ".";
-      if (cycle == name_of(CycleKind::direction))
+      if (cycle == CycleKind::direction)
         return smaller + "; a ten times smaller " +
                parameter_of(group, step, "Regularization/r_t") + ".";
-      if (cycle == name_of(CycleKind::stick))
+      if (cycle == CycleKind::stick)
         return smaller + "; " + advice_to_fall_back() + ".";
       return smaller + "; a ten times smaller " +
              parameter_of(group, step, "Regularization/r_n") + "; " +
@@ -88,7 +88,7 @@ namespace stickslip
       if (all.n == 0)
         return {};
       PointGroup<dim> largest;
-      std::string     kind;
+      CycleKind       kind{};
       for (const CycleKind candidate : {CycleKind::pairing,
                                         CycleKind::contact,
                                         CycleKind::stick,
@@ -97,14 +97,12 @@ namespace stickslip
         {
           const auto group = find_group<dim>(
             step,
-            [&](const auto &point) {
-              return point.cycle == name_of(candidate);
-            },
+            [&](const auto &point) { return point.cycle == candidate; },
             communicator);
           if (group.n > largest.n)
             {
               largest = group;
-              kind    = name_of(candidate);
+              kind    = candidate;
             }
         }
       const unsigned int n_with_facet =
@@ -114,7 +112,7 @@ namespace stickslip
           communicator)
           .n;
       FailureExplanation explanation;
-      explanation.name = "cycle: " + kind;
+      explanation.name = "cycle: " + name_of(kind);
       explanation.why =
         step.cycle ? "all contact statuses repeat every " +
                        std::to_string(step.cycle.period) + " iterations: "
@@ -122,16 +120,15 @@ namespace stickslip
       explanation.why +=
         std::to_string(all.n) +
         (all.n == 1 ? " point alternates" : " points alternate") +
-        ", most of them " + kind;
-      if (n_with_facet > 0 && kind != name_of(CycleKind::facet))
+        ", most of them " + name_of(kind);
+      if (n_with_facet > 0 && kind != CycleKind::facet)
         explanation.why += " (" + std::to_string(n_with_facet) +
                            " with a change of the master facet)";
       explanation.why += ".";
       explanation.where = describe(largest, step);
       // Where the geometry changes as well, it is the explanation.
       explanation.advice =
-        advice_against(2 * n_with_facet >= all.n ? name_of(CycleKind::facet)
-                                                 : kind,
+        advice_against(2 * n_with_facet >= all.n ? CycleKind::facet : kind,
                        largest,
                        step);
       return explanation;
@@ -155,7 +152,7 @@ namespace stickslip
         "points hop between facets",
         "points go from one master facet to another in most iterations.",
         describe(group, step),
-        advice_against(name_of(CycleKind::facet), group, step)};
+        advice_against(CycleKind::facet, group, step)};
     }
 
 

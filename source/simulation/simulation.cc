@@ -301,10 +301,10 @@ namespace stickslip
   void
   Simulation<dim>::write_statistics()
   {
-    const SolveCounts &counts    = problem.counts;
-    const Acceptance  &found     = step_solver.acceptance();
-    const auto        &violation = found.violation;
-    const CureCounts  &cures     = step_solver.cures.counts;
+    const SolveCounts          &counts    = problem.counts;
+    const Acceptance           &found     = step_solver.acceptance();
+    const auto                 &violation = found.violation;
+    const CycleTreatmentCounts &cures     = step_solver.cures.counts;
     statistics.add("step", steps().step_number());
     statistics.add("time", steps().time());
     statistics.add("algorithm", name_of(solved.algorithm));
@@ -321,7 +321,7 @@ namespace stickslip
                    step_solver.failed_newton_iterations());
     statistics.add("cycles", cures.cycles);
     statistics.add("adapted_r", cures.adapted_scales);
-    statistics.add("held_statuses", cures.held_statuses);
+    statistics.add("held_statuses", cures.fixed_statuses);
     statistics.add("sparsity_rebuilds", counts.sparsity_rebuilds);
     statistics.add("assembly_seconds", counts.assembly_seconds);
     statistics.add("contact_seconds", counts.contact_seconds);

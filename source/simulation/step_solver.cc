@@ -17,12 +17,12 @@ namespace stickslip
     class StepNewtonProblem : public NewtonProblem
     {
     public:
-      StepNewtonProblem(const Attempt        &attempt,
-                        const IncrementSolver increment_solver,
-                        ContactProblem<dim>  &problem,
-                        LinearSolver         &linear_solver,
-                        CyclingCures<dim>    &cures,
-                        ConvergenceLog       &log)
+      StepNewtonProblem(const Attempt             &attempt,
+                        const IncrementSolver      increment_solver,
+                        ContactProblem<dim>       &problem,
+                        LinearSolver              &linear_solver,
+                        StatusCycleTreatment<dim> &cures,
+                        ConvergenceLog            &log)
         : attempt(attempt)
         , increment_solver(increment_solver)
         , problem(problem)
@@ -88,8 +88,8 @@ namespace stickslip
       treat_cycle(const bool stagnates) override
       {
         const CycleTreatment treatment = cures.observe(stagnates);
-        if (!cures.description().empty())
-          log.note(cures.description());
+        if (cures.last_report())
+          log.cycle_treatment(*cures.last_report());
         return treatment;
       }
 
@@ -100,12 +100,12 @@ namespace stickslip
       }
 
     private:
-      const Attempt         attempt;
-      const IncrementSolver increment_solver;
-      ContactProblem<dim>  &problem;
-      LinearSolver         &linear_solver;
-      CyclingCures<dim>    &cures;
-      ConvergenceLog       &log;
+      const Attempt              attempt;
+      const IncrementSolver      increment_solver;
+      ContactProblem<dim>       &problem;
+      LinearSolver              &linear_solver;
+      StatusCycleTreatment<dim> &cures;
+      ConvergenceLog            &log;
 
       void
       solve_linear_system(const LA::BlockVector &x,
@@ -148,7 +148,7 @@ namespace stickslip
   StepSolver<dim>::begin_step()
   {
     failed_iterations = 0;
-    cures.counts      = CureCounts();
+    cures.counts      = CycleTreatmentCounts();
   }
 
 

@@ -101,7 +101,7 @@ namespace stickslip
           }
         if (iteration >= progress.last_iteration)
           give_up(state,
-                  treatment == CycleTreatment::incurable
+                  treatment == CycleTreatment::untreatable
                     ? FailureCause::cycle
                     : FailureCause::stagnation,
                   "no convergence in " + std::to_string(iteration) +
@@ -128,7 +128,7 @@ namespace stickslip
         problem.report(iteration + 1, state);
         if (divergence.diverges())
           give_up(state, FailureCause::divergence, "the residual diverges");
-        if (treatment == CycleTreatment::cured)
+        if (treatment == CycleTreatment::treated)
           {
             state    = with_new_residual(problem, x, state);
             progress = Progress{iteration + 1 + parameters.max_iterations};

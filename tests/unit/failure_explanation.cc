@@ -66,7 +66,7 @@ namespace
     {
       for (unsigned int i = first; i <= last && i < points.size(); ++i)
         {
-          points[i].cycle         = name_of(kind);
+          points[i].cycle         = kind;
           points[i].period        = 2;
           points[i].changes_facet = changes_facet;
         }

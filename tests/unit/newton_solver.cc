@@ -465,7 +465,7 @@ namespace
       if (!stagnates)
         return CycleTreatment::none;
       ++n_treatments;
-      if (treatment == CycleTreatment::cured)
+      if (treatment == CycleTreatment::treated)
         {
           f       = [](const double x) { return x; };
           tangent = [](const double) { return 2.; };
@@ -488,13 +488,13 @@ namespace
     NewtonParameters parameters    = parameters_with(LineSearch::none);
     parameters.increment_tolerance = 2.;
     // after 7 iterations, and then 27 halvings to below 1e-8
-    TreatedCycle treated(CycleTreatment::cured);
+    TreatedCycle treated(CycleTreatment::treated);
     solve("at most 30 with the same equations", treated, 1., parameters);
     std::cout << "    " << treated.n_treatments << " treatment\n";
     parameters.max_iterations = 26;
-    TreatedCycle too_late(CycleTreatment::cured);
+    TreatedCycle too_late(CycleTreatment::treated);
     solve("at most 26", too_late, 1., parameters);
-    TreatedCycle untreated(CycleTreatment::incurable);
+    TreatedCycle untreated(CycleTreatment::untreatable);
     solve("nothing helps", untreated, 1., parameters);
     std::cout << "    asked " << untreated.n_treatments << " times\n";
   }

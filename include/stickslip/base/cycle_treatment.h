@@ -6,9 +6,9 @@ namespace stickslip
   /// What was found and done about iterates that repeat themselves.
   enum class CycleTreatment
   {
-    none,     ///< no cycle
-    cured,    ///< the equations of some points are other ones now
-    incurable ///< a cycle, and nothing left to try
+    none,       ///< no cycle, or none that has to be treated
+    treated,    ///< the equations of some points are other ones now
+    untreatable ///< a cycle, and nothing left to try
   };
 } // namespace stickslip
 

@@ -3,7 +3,7 @@
 
 #include <stickslip/base/parameter_file.h>
 
-#include <stickslip/contact/cycling/cycling_cures.h>
+#include <stickslip/contact/cycling/status_cycle_treatment.h>
 #include <stickslip/contact/point/contact_parameters.h>
 
 #include <stickslip/linear_solvers/linear_solver.h>

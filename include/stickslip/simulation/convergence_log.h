@@ -1,6 +1,8 @@
 #ifndef stickslip_simulation_convergence_log_h
 #define stickslip_simulation_convergence_log_h
 
+#include <stickslip/contact/cycling/status_cycle_treatment.h>
+
 #include <stickslip/strategy/newton_problem.h>
 
 #include <deal.II/base/mpi.h>
@@ -37,6 +39,9 @@ namespace stickslip
               const unsigned int pass,
               const double       change,
               const unsigned int depth);
+
+    void
+    cycle_treatment(const CycleReport &report);
 
     /// The iterations of the last Newton run, on all ranks.
     const std::vector<NewtonIteration> &

@@ -1,7 +1,7 @@
 #ifndef stickslip_simulation_step_solver_h
 #define stickslip_simulation_step_solver_h
 
-#include <stickslip/contact/cycling/cycling_cures.h>
+#include <stickslip/contact/cycling/status_cycle_treatment.h>
 
 #include <stickslip/linear_solvers/linear_solver.h>
 
@@ -60,7 +60,7 @@ namespace stickslip
       return failed_iterations;
     }
 
-    CyclingCures<dim> cures;
+    StatusCycleTreatment<dim> cures;
 
   private:
     const CaseParameters &parameters;

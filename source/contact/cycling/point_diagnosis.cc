@@ -68,14 +68,13 @@ namespace stickslip
                 diagnosis.history         = history.text(p, i);
                 diagnosis.n_facet_changes = history.n_facet_changes(p, i);
               }
-            diagnosis.remedy = history.remedy(p, i);
-            if (diagnosis.remedy.empty() &&
-                point.pairing_memory().overlap_factor > 0. &&
-                pair.parameters.facet_overlap > 0.)
-              diagnosis.remedy = "kept on its facet";
+            diagnosis.treatment = history.treatment(p, i);
+            diagnosis.keeps_facet =
+              point.pairing_memory().overlap_factor > 0. &&
+              pair.parameters.facet_overlap > 0.;
             if (cycle != cycles.end() && cycle->pair == p && cycle->point == i)
               {
-                diagnosis.cycle         = name_of(cycle->kind);
+                diagnosis.cycle         = cycle->kind;
                 diagnosis.period        = cycle->period;
                 diagnosis.changes_facet = cycle->changes_facet;
                 ++cycle;

@@ -153,12 +153,37 @@ namespace stickslip
 
 
 
+  std::string
+  name_of(const PointTreatment treatment)
+  {
+    switch (treatment)
+      {
+        case PointTreatment::other_r_n:
+          return "another r_n";
+        case PointTreatment::other_r_t:
+          return "another r_t";
+        case PointTreatment::fixed_closed:
+          return "fixed closed";
+        case PointTreatment::fixed_open:
+          return "fixed open";
+        case PointTreatment::fixed_stick:
+          return "fixed in stick";
+        case PointTreatment::fixed_slip:
+          return "fixed in slip";
+        case PointTreatment::none:
+          break;
+      }
+    return "";
+  }
+
+
+
   template <int dim>
   void
   StatusHistory<dim>::clear()
   {
     forget_records();
-    remedies.clear();
+    treatments.clear();
   }
 
 
@@ -298,22 +323,22 @@ namespace stickslip
 
   template <int dim>
   void
-  StatusHistory<dim>::note_remedy(const unsigned int pair,
-                                  const unsigned int point,
-                                  const std::string &remedy)
+  StatusHistory<dim>::note_treatment(const unsigned int   pair,
+                                     const unsigned int   point,
+                                     const PointTreatment treatment)
   {
-    remedies[{pair, point}] = remedy;
+    treatments[{pair, point}] = treatment;
   }
 
 
 
   template <int dim>
-  std::string
-  StatusHistory<dim>::remedy(const unsigned int pair,
-                             const unsigned int point) const
+  PointTreatment
+  StatusHistory<dim>::treatment(const unsigned int pair,
+                                const unsigned int point) const
   {
-    const auto found = remedies.find({pair, point});
-    return found == remedies.end() ? "" : found->second;
+    const auto found = treatments.find({pair, point});
+    return found == treatments.end() ? PointTreatment::none : found->second;
   }
 
 

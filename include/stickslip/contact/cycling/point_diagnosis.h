@@ -3,6 +3,7 @@
 
 #include <stickslip/contact/cycling/status_history.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,17 +24,18 @@ namespace stickslip
     bool         was_paired;    ///< when the last step was accepted
     bool         has_threshold; ///< friction threshold above 0
 
-    std::string  history; ///< StatusHistory::text()
-    std::string  cycle;   ///< name_of(CycleKind); empty: none
-    unsigned int period;  ///< 0: none
-    bool         changes_facet;
-    unsigned int n_facet_changes; ///< in the history
+    std::string              history; ///< StatusHistory::text()
+    std::optional<CycleKind> cycle;
+    unsigned int             period; ///< 0: none
+    bool                     changes_facet;
+    unsigned int             n_facet_changes; ///< in the history
+    PointTreatment           treatment;       ///< of the cycle
+    bool keeps_facet; ///< beyond its edge, because it has switched so often
 
     double      gap; ///< >= 0 open; 0 if unpaired
     double      pressure;
     double      Lambda; ///< |Lambda|
     std::string facet;  ///< of the master; empty if unpaired
-    std::string remedy; ///< what was done about a cycle; empty: nothing
   };
 
   /// Of all contact points of this rank, in the configuration that @p contact

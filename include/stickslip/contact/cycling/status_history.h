@@ -43,6 +43,24 @@ namespace stickslip
 
 
 
+  /// What was done last about the cycle of a contact point.
+  enum class PointTreatment
+  {
+    none,
+    other_r_n, ///< another regularization parameter
+    other_r_t,
+    fixed_closed, ///< the status keeps this value until all has converged
+    fixed_open,
+    fixed_stick,
+    fixed_slip
+  };
+
+  /// "another r_n" and so on; empty: none.
+  std::string
+  name_of(const PointTreatment treatment);
+
+
+
   /// A contact point of this rank whose last statuses repeat.
   struct PointCycle
   {
@@ -50,14 +68,14 @@ namespace stickslip
     unsigned int point; ///< index in ContactPair::points
     CycleKind    kind;
     unsigned int period;        ///< 2 to 6
-    bool         changes_facet; ///< perhaps beside a change of status
+    bool         changes_facet; ///< perhaps with a change of status
   };
 
 
 
   /**
-   * What every contact point did in the last Newton iterations, and whether it
-   * goes round in circles. Use:
+   * What every contact point did in the last Newton iterations, and whether its
+   * statuses cycle. Use:
    *
    *   history.clear();                 // a solve begins
    *   history.record(contact);         // once per Newton iteration, after the
@@ -91,7 +109,7 @@ namespace stickslip
     clear();
 
     /// Forgets the records, so that what is proven from now on is new, but not
-    /// the remedies. Not collective.
+    /// the treatments. Not collective.
     void
     forget_records();
 
@@ -129,13 +147,13 @@ namespace stickslip
     /// Remembers what was done about a point of this rank, for the diagnosis,
     /// until clear(). Not collective.
     void
-    note_remedy(const unsigned int pair,
-                const unsigned int point,
-                const std::string &remedy);
+    note_treatment(const unsigned int   pair,
+                   const unsigned int   point,
+                   const PointTreatment treatment);
 
-    /// What note_remedy() was told last; empty: nothing. Not collective.
-    std::string
-    remedy(const unsigned int pair, const unsigned int point) const;
+    /// What note_treatment() was told last. Not collective.
+    PointTreatment
+    treatment(const unsigned int pair, const unsigned int point) const;
 
     /// How often a point of this rank has changed its facet among the kept
     /// records. Not collective.
@@ -157,7 +175,7 @@ namespace stickslip
     std::array<std::uint64_t, capacity>    hashes; ///< of all points, a ring
     unsigned int                           n_recorded = 0;
 
-    std::map<std::pair<unsigned int, unsigned int>, std::string> remedies;
+    std::map<std::pair<unsigned int, unsigned int>, PointTreatment> treatments;
 
     void
     name_points(const ContactAssembler<dim> &contact);

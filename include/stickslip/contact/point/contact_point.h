@@ -11,7 +11,8 @@
 
 namespace stickslip
 {
-  /// What the treatment of cycles has changed at a point (cycling_cures.h).
+  /// What the treatment of cycles has changed at a point
+  /// (status_cycle_treatment.h).
   struct PointCure
   {
     double              r_n_factor = 1.;

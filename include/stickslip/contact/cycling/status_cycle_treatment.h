@@ -1,5 +1,5 @@
-#ifndef stickslip_contact_cycling_cycling_cures_h
-#define stickslip_contact_cycling_cycling_cures_h
+#ifndef stickslip_contact_cycling_status_cycle_treatment_h
+#define stickslip_contact_cycling_status_cycle_treatment_h
 
 #include <stickslip/base/cycle_treatment.h>
 
@@ -8,7 +8,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <string>
+#include <array>
+#include <optional>
 #include <vector>
 
 namespace stickslip
@@ -16,8 +17,8 @@ namespace stickslip
   /// The section "Algorithm/Cycling".
   struct CyclingParameters
   {
-    bool adapt_scales  = true;
-    bool hold_statuses = true;
+    bool adapt_scales = true;
+    bool fix_statuses = true;
 
     void
     add_parameters(ParameterHandler &prm);
@@ -25,44 +26,61 @@ namespace stickslip
 
 
 
-  /// What the cures have done since the last reset.
-  struct CureCounts
+  /// What was found and done where points cycled: numbers of points, of all
+  /// ranks.
+  struct CycleReport
+  {
+    std::array<unsigned int, n_cycle_kinds> n_cycling{}; ///< by CycleKind
+    unsigned int n_other_r = 0; ///< have another r since
+    unsigned int n_fixed   = 0; ///< have a fixed status since
+
+    bool
+    any_treated() const
+    {
+      return n_other_r + n_fixed > 0;
+    }
+  };
+
+
+
+  /// What was done since the last reset.
+  struct CycleTreatmentCounts
   {
     unsigned int cycles         = 0; ///< that were proven
     unsigned int adapted_scales = 0; ///< points with another r
-    unsigned int held_statuses  = 0; ///< points whose status was held
+    unsigned int fixed_statuses = 0; ///< points whose status was fixed
   };
 
 
 
   /**
-   * Finds points whose statuses go round in circles while a residual does not
-   * become smaller, and breaks the circle (paper, section 6):
+   * Finds points whose statuses cycle while a residual does not become smaller,
+   * and ends the cycle (paper, section 6):
    *
    * 1. closed/open, stick/slip, slip to and fro: the nearest r to the stiffness
    *    of the contact for which the last two states have the same status
    *    (paper, eqs. 29 and 32). Only with nodal quadrature, where no answer
    *    depends on r.
-   * 2. If no r does, or the point cycles again: its status is held (closed,
+   * 2. If no r does, or the point cycles again: its status is fixed (closed,
    *    stick; the next time open, slip) until the residual has converged; then
-   *    release() gives all statuses free, so that what is accepted satisfies
-   *    the contact law everywhere.
+   *    release() frees all statuses, so that what is accepted satisfies the
+   *    contact law everywhere.
    *
-   * Points of facet and pairing cycles are left alone. All functions are
-   * collective.
+   * A point is treated at most three times in a solve. Points whose facet or
+   * pairing cycles are left alone. All functions are collective.
    */
   template <int dim>
-  class CyclingCures
+  class StatusCycleTreatment
   {
   public:
-    CyclingCures(const CyclingParameters &parameters,
-                 ContactAssembler<dim>   &contact);
+    StatusCycleTreatment(const CyclingParameters &parameters,
+                         ContactAssembler<dim>   &contact);
 
     /// A step begins: no point learns from its changes of facet and partner.
     void
     begin_step();
 
-    /// A solve begins: forgets statuses and holds, not the scales.
+    /// A solve begins: forgets statuses, fixed ones too, not the scales.
     void
     begin_solve();
 
@@ -71,14 +89,15 @@ namespace stickslip
     CycleTreatment
     observe(const bool act);
 
-    /// What the last observe() did, empty if there is nothing to say.
-    const std::string &
-    description() const
+    /// What the last observe() found and did; nothing if it did not act or no
+    /// point cycled.
+    const std::optional<CycleReport> &
+    last_report() const
     {
-      return text;
+      return report;
     }
 
-    /// Frees all held statuses. True if there were any.
+    /// Frees all fixed statuses. True if there were any.
     bool
     release();
 
@@ -105,7 +124,7 @@ namespace stickslip
       return statuses;
     }
 
-    CureCounts counts;
+    CycleTreatmentCounts counts;
 
   private:
     const CyclingParameters parameters;
@@ -114,7 +133,7 @@ namespace stickslip
     std::vector<std::vector<StatusState<dim>>>
       before; ///< [pair][point], last iterate
     std::vector<std::vector<StatusState<dim>>> now;
-    std::string                                text;
+    std::optional<CycleReport>                 report;
 
     void
     read_states();
@@ -123,11 +142,16 @@ namespace stickslip
     bool
     scales_may_change(const ContactPair<dim> &pair) const;
 
+    /// Treats the points of this rank, and sums up what all ranks did.
+    CycleReport
+    treat(const std::vector<PointCycle> &cycles);
+
+    /// True if another r helps.
     bool
     adapt_scale(const PointCycle &cycle);
 
-    bool
-    hold_status(const PointCycle &cycle);
+    void
+    fix_status(const PointCycle &cycle);
   };
 } // namespace stickslip
 

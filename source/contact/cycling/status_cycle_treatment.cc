@@ -1,26 +1,23 @@
-#include <stickslip/contact/cycling/cycling_cures.h>
+#include <stickslip/contact/cycling/status_cycle_treatment.h>
 
 #include <stickslip/base/expert_parameter.h>
 
-#include <deal.II/base/array_view.h>
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <sstream>
 
 namespace stickslip
 {
   namespace
   {
-    /// Changes of r below this factor are none.
+    /// Another r has to be nearer to the stiffness by this factor.
     constexpr double no_change = 1.01;
 
     /// Changes of r above this factor are a reason to try a step again.
     constexpr double clear_change = 2.;
 
-    /// Treatments of a point in one solve before it counts as incurable.
+    /// Treatments of a point in one solve after which it is left as it is.
     constexpr unsigned int most_treatments = 3;
 
 
@@ -30,6 +27,15 @@ namespace stickslip
     distance(const double a, const double b)
     {
       return std::abs(std::log(a / b));
+    }
+
+
+
+    /// The status of a point alternates, not its pairing.
+    bool
+    concerns_status(const CycleKind kind)
+    {
+      return kind != CycleKind::facet && kind != CycleKind::pairing;
     }
 
 
@@ -61,7 +67,7 @@ namespace stickslip
         "If a solve fails all the same, all take that stiffness. Only with "
         "'Quadrature = nodal', where the answer does not depend on it."));
     prm.add_parameter("Hold statuses",
-                      hold_statuses,
+                      fix_statuses,
                       expert(
                         "Points that cycle with any other r, too, have a fixed "
                         "status until the rest has converged; all statuses are "
@@ -71,8 +77,9 @@ namespace stickslip
 
 
   template <int dim>
-  CyclingCures<dim>::CyclingCures(const CyclingParameters &parameters,
-                                  ContactAssembler<dim>   &contact)
+  StatusCycleTreatment<dim>::StatusCycleTreatment(
+    const CyclingParameters &parameters,
+    ContactAssembler<dim>   &contact)
     : parameters(parameters)
     , contact(contact)
   {}
@@ -81,7 +88,7 @@ namespace stickslip
 
   template <int dim>
   void
-  CyclingCures<dim>::begin_step()
+  StatusCycleTreatment<dim>::begin_step()
   {
     for (const auto &pair : contact.contact_pairs())
       for (auto &point : pair->points)
@@ -92,7 +99,7 @@ namespace stickslip
 
   template <int dim>
   void
-  CyclingCures<dim>::begin_solve()
+  StatusCycleTreatment<dim>::begin_solve()
   {
     statuses.clear();
     now.clear();
@@ -109,7 +116,7 @@ namespace stickslip
 
   template <int dim>
   void
-  CyclingCures<dim>::read_states()
+  StatusCycleTreatment<dim>::read_states()
   {
     before.swap(now);
     now.clear();
@@ -125,7 +132,8 @@ namespace stickslip
 
   template <int dim>
   bool
-  CyclingCures<dim>::scales_may_change(const ContactPair<dim> &pair) const
+  StatusCycleTreatment<dim>::scales_may_change(
+    const ContactPair<dim> &pair) const
   {
     return parameters.adapt_scales &&
            pair.parameters.is_independent_of_regularization();
@@ -135,117 +143,116 @@ namespace stickslip
 
   template <int dim>
   bool
-  CyclingCures<dim>::adapt_scale(const PointCycle &cycle)
+  StatusCycleTreatment<dim>::adapt_scale(const PointCycle &cycle)
   {
-    ContactPair<dim>  &pair  = *contact.contact_pairs()[cycle.pair];
-    ContactPoint<dim> &point = pair.points[cycle.point];
-    if (!pair.parameters.is_independent_of_regularization() || before.empty())
+    const ContactPair<dim> &pair = *contact.contact_pairs()[cycle.pair];
+    if (!scales_may_change(pair) || before.empty())
       return false;
+    ContactPoint<dim> &point =
+      contact.contact_pairs()[cycle.pair]->points[cycle.point];
     const auto           &a         = before[cycle.pair][cycle.point];
     const auto           &b         = now[cycle.pair][cycle.point];
     const Regularization &r         = point.regularization;
     const bool            is_normal = cycle.kind == CycleKind::contact;
     const double          present   = is_normal ? r.r_n_status : r.r_t_status;
-    const double          natural   = is_normal ? r.natural_r_n : r.natural_r_t;
-    const double          better =
-      is_normal ? admissible_r_n(a, b, natural) : admissible_r_t(a, b, natural);
-    // away from the natural scale another r only makes another cycle
-    if (better == 0. || distance(better, natural) + std::log(no_change) >
-                          distance(present, natural))
+    const double          stiffness = is_normal ? r.natural_r_n : r.natural_r_t;
+    const double          better = is_normal ? admissible_r_n(a, b, stiffness)
+                                             : admissible_r_t(a, b, stiffness);
+    // farther from the stiffness another r only makes another cycle
+    if (better == 0. || distance(better, stiffness) + std::log(no_change) >
+                          distance(present, stiffness))
       return false;
     (is_normal ? point.cure.r_n_factor : point.cure.r_t_factor) *=
       better / present;
-    statuses.note_remedy(cycle.pair,
-                         cycle.point,
-                         is_normal ? "another r_n" : "another r_t");
+    statuses.note_treatment(cycle.pair,
+                            cycle.point,
+                            is_normal ? PointTreatment::other_r_n
+                                      : PointTreatment::other_r_t);
     return true;
   }
 
 
 
   template <int dim>
-  bool
-  CyclingCures<dim>::hold_status(const PointCycle &cycle)
+  void
+  StatusCycleTreatment<dim>::fix_status(const PointCycle &cycle)
   {
     auto &cure = contact.contact_pairs()[cycle.pair]->points[cycle.point].cure;
-    const bool first_choice = cure.n_holds % 2 == 0;
+    const bool first_side = cure.n_holds % 2 == 0;
     ++cure.n_holds;
     const bool is_normal = cycle.kind == CycleKind::contact;
-    (is_normal ? cure.held_closed : cure.held_stick) = first_choice;
-    statuses.note_remedy(cycle.pair,
-                         cycle.point,
-                         std::string("held ") +
-                           (is_normal      ? first_choice ? "closed" : "open"
-                            : first_choice ? "in stick"
-                                           : "in slip"));
-    return true;
+    (is_normal ? cure.held_closed : cure.held_stick) = first_side;
+    statuses.note_treatment(cycle.pair,
+                            cycle.point,
+                            is_normal
+                              ? (first_side ? PointTreatment::fixed_closed
+                                            : PointTreatment::fixed_open)
+                              : (first_side ? PointTreatment::fixed_stick
+                                            : PointTreatment::fixed_slip));
+  }
+
+
+
+  template <int dim>
+  CycleReport
+  StatusCycleTreatment<dim>::treat(const std::vector<PointCycle> &cycles)
+  {
+    CycleReport result;
+    for (const PointCycle &cycle : cycles)
+      {
+        ++result.n_cycling[static_cast<unsigned int>(cycle.kind)];
+        auto &cure =
+          contact.contact_pairs()[cycle.pair]->points[cycle.point].cure;
+        if (!concerns_status(cycle.kind) ||
+            cure.n_treatments >= most_treatments)
+          continue;
+        if (cure.n_treatments == 0 && adapt_scale(cycle))
+          ++result.n_other_r;
+        else if (parameters.fix_statuses)
+          {
+            fix_status(cycle);
+            ++result.n_fixed;
+          }
+        else
+          continue;
+        ++cure.n_treatments;
+      }
+    const MPI_Comm communicator = contact.get_communicator();
+    result.n_other_r = Utilities::MPI::sum(result.n_other_r, communicator);
+    result.n_fixed   = Utilities::MPI::sum(result.n_fixed, communicator);
+    for (unsigned int &n : result.n_cycling)
+      n = Utilities::MPI::sum(n, communicator);
+    return result;
   }
 
 
 
   template <int dim>
   CycleTreatment
-  CyclingCures<dim>::observe(const bool act)
+  StatusCycleTreatment<dim>::observe(const bool act)
   {
     statuses.record(contact);
     read_states();
-    text.clear();
+    report.reset();
     const std::vector<PointCycle> cycles = statuses.cycling_points();
     if (!act || Utilities::MPI::max(cycles.empty() ? 0 : 1,
                                     contact.get_communicator()) == 0)
       return CycleTreatment::none;
-
-    std::array<unsigned int, 2>             treated{}; // other r, held
-    std::array<unsigned int, n_cycle_kinds> found{};
-    for (const PointCycle &cycle : cycles)
-      {
-        ++found[static_cast<unsigned int>(cycle.kind)];
-        auto &cure =
-          contact.contact_pairs()[cycle.pair]->points[cycle.point].cure;
-        if (cycle.kind == CycleKind::facet ||
-            cycle.kind == CycleKind::pairing ||
-            cure.n_treatments >= most_treatments)
-          continue;
-        if (parameters.adapt_scales && cure.n_treatments == 0 &&
-            adapt_scale(cycle))
-          ++treated[0];
-        else if (parameters.hold_statuses && hold_status(cycle))
-          ++treated[1];
-        else
-          continue;
-        ++cure.n_treatments;
-      }
-    Utilities::MPI::sum(
-      ArrayView<const unsigned int>(treated.data(), treated.size()),
-      contact.get_communicator(),
-      ArrayView<unsigned int>(treated.data(), treated.size()));
-    Utilities::MPI::sum(ArrayView<const unsigned int>(found.data(),
-                                                      found.size()),
-                        contact.get_communicator(),
-                        ArrayView<unsigned int>(found.data(), found.size()));
-    const bool is_cured = treated[0] + treated[1] > 0;
+    report = treat(cycles);
     ++counts.cycles;
-    counts.adapted_scales += treated[0];
-    counts.held_statuses += treated[1];
-    if (is_cured)
-      statuses.forget_records();
-    std::ostringstream words;
-    words << "  statuses repeat (";
-    for (unsigned int kind = 0, n_words = 0; kind < n_cycle_kinds; ++kind)
-      if (found[kind] > 0)
-        words << (n_words++ > 0 ? ", " : "") << found[kind] << " points "
-              << name_of(static_cast<CycleKind>(kind));
-    words << "): " << treated[0] << " get another r, " << treated[1]
-          << " keep a status until the rest has converged";
-    text = words.str();
-    return is_cured ? CycleTreatment::cured : CycleTreatment::incurable;
+    counts.adapted_scales += report->n_other_r;
+    counts.fixed_statuses += report->n_fixed;
+    if (!report->any_treated())
+      return CycleTreatment::untreatable;
+    statuses.forget_records();
+    return CycleTreatment::treated;
   }
 
 
 
   template <int dim>
   bool
-  CyclingCures<dim>::release()
+  StatusCycleTreatment<dim>::release()
   {
     bool any = false;
     for (const auto &pair : contact.contact_pairs())
@@ -261,7 +268,7 @@ namespace stickslip
 
   template <int dim>
   bool
-  CyclingCures<dim>::learning_would_help() const
+  StatusCycleTreatment<dim>::learning_would_help() const
   {
     bool any = false;
     for (const auto &pair : contact.contact_pairs())
@@ -274,7 +281,7 @@ namespace stickslip
 
   template <int dim>
   void
-  CyclingCures<dim>::let_points_learn()
+  StatusCycleTreatment<dim>::let_points_learn()
   {
     for (const auto &pair : contact.contact_pairs())
       for (auto &point : pair->points)
@@ -285,7 +292,7 @@ namespace stickslip
 
   template <int dim>
   bool
-  CyclingCures<dim>::natural_scales_differ() const
+  StatusCycleTreatment<dim>::natural_scales_differ() const
   {
     double largest = 0.;
     for (const auto &pair : contact.contact_pairs())
@@ -306,7 +313,7 @@ namespace stickslip
 
   template <int dim>
   void
-  CyclingCures<dim>::use_natural_scales()
+  StatusCycleTreatment<dim>::use_natural_scales()
   {
     for (const auto &pair : contact.contact_pairs())
       if (scales_may_change(*pair))
@@ -318,6 +325,6 @@ namespace stickslip
           }
   }
 
-  template class CyclingCures<2>;
-  template class CyclingCures<3>;
+  template class StatusCycleTreatment<2>;
+  template class StatusCycleTreatment<3>;
 } // namespace stickslip
