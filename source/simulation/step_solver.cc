@@ -130,7 +130,7 @@ namespace stickslip
                                    parameters.algorithm.newton.max_iterations);
     problem.begin_step(time, accepted);
     problem.configure(accepted, true);
-    note_partners(problem.contact());
+    record_initial_pairings(problem.contact());
     ladder.begin_step();
     cures.begin_step();
     LA::BlockVector guess(x);
@@ -217,10 +217,10 @@ namespace stickslip
     try
       {
         fixed_point.solve(x);
-        found = examine(problem, x, parameters.acceptance);
-        if (!found.complaint.empty())
+        found = verify_state(problem, x, parameters.acceptance);
+        if (!found.errors.empty())
           throw NoConvergence("The converged state is wrong",
-                              found.complaint,
+                              found.errors,
                               FailureCause::rejected);
       }
     catch (const NoConvergence &)

@@ -248,7 +248,7 @@ namespace
             problem.set_state(wanted);
             problem.residual(problem.q, Setting());
             const auto &status = problem.state.status;
-            const auto &frame  = problem.point.frame;
+            const auto &frame  = problem.point.pairing;
             if (!frame.paired || status.closed != wanted.closed ||
                 status.stick != wanted.stick ||
                 frame.is_interior() != (place == Place::interior) ||
@@ -399,8 +399,8 @@ namespace
         const auto projection = project_on_face(face, now, shape, slave.x, 0.);
         checks.add("sliding: projections that fail",
                    projection.found ? 0. : 1.);
-        MasterPoint<dim>  master, master_old;
-        ContactFrame<dim> frame;
+        MasterPoint<dim> master, master_old;
+        Pairing<dim>     frame;
         frame.xi   = projection.xi;
         frame.free = projection.free;
         evaluate_master_point(face, now, shape, frame.xi, master);

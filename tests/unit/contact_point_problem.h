@@ -152,7 +152,7 @@ namespace contact_test
       , master(make_master<dim>(shape, smoothed))
       , place(place)
     {
-      point.weight = 0.37;
+      point.geometry.weight = 0.37;
       Point<dim - 1> eta;
       eta[0] = 0.65;
       if (dim == 3)
@@ -160,7 +160,7 @@ namespace contact_test
       shape.evaluate(eta, slave_shape);
       for (unsigned int j = 0; j < shape.n_nodes(); ++j)
         {
-          point.direction_gradients.push_back(
+          point.geometry.direction_gradients.push_back(
             0.9 * slave_shape.gradient[j][0] +
             0.3 * slave_shape.gradient[j][dim - 2]);
           Tensor<2, dim - 1> rotation;
@@ -251,11 +251,11 @@ namespace contact_test
           for (unsigned int d = 0; d < dim - 1; ++d)
             q.push_back(wanted.Lambda[d] + 0.2 * random_number());
         }
-      point.frame = make_frame(q);
+      point.pairing = make_frame(q);
     }
 
     /// Projection and frame for the nodal values @p values.
-    ContactFrame<dim>
+    Pairing<dim>
     make_frame(const std::vector<double> &values)
     {
       read(values);
@@ -263,7 +263,7 @@ namespace contact_test
         place == Place::interior
           ? project_on_face(master, configuration, shape, slave.x, 0.01)
           : project_on_boundary_of_face(master, configuration, shape, slave.x);
-      ContactFrame<dim> frame;
+      Pairing<dim> frame;
       frame.paired = projection.found;
       frame.xi     = projection.xi;
       frame.free   = projection.free;
@@ -279,8 +279,8 @@ namespace contact_test
              const Setting             &setting,
              const bool                 differentiate)
     {
-      const ContactFrame<dim> frame =
-        setting.live.geometry ? make_frame(values) : point.frame;
+      const Pairing<dim> frame =
+        setting.live.geometry ? make_frame(values) : point.pairing;
       read(values);
       MasterPoint<dim> old;
       evaluate_master_point(
@@ -377,7 +377,7 @@ namespace contact_test
           else
             phi -= 0.5 * r.open_scale * Lambda_square;
         }
-      return point.weight * phi;
+      return point.geometry.weight * phi;
     }
 
     /// Number of the unknown in q of the local unknown @p i.
@@ -413,7 +413,7 @@ namespace contact_test
             const double x = values[j * dim + c];
             slave.x[c] += slave_shape.value[j] * x;
             slave.x_old[c] += slave_shape.value[j] * slave_old[j][c];
-            slave.direction[c] += point.direction_gradients[j] * x;
+            slave.direction[c] += point.geometry.direction_gradients[j] * x;
           }
       configuration.positions.resize(master.n_stencil_nodes());
       for (unsigned int j = 0; j < master.n_stencil_nodes(); ++j)

@@ -5,8 +5,8 @@
 
 #include <stickslip/linear_solvers/linear_solver.h>
 
-#include <stickslip/problem/acceptance.h>
 #include <stickslip/problem/contact_problem.h>
+#include <stickslip/problem/verification.h>
 
 #include <stickslip/simulation/case_parameters.h>
 #include <stickslip/simulation/convergence_log.h>
@@ -53,8 +53,8 @@ namespace stickslip
     }
 
     /// What was found in the last solution.
-    const Acceptance &
-    acceptance() const
+    const Verification &
+    verification() const
     {
       return found;
     }
@@ -70,7 +70,7 @@ namespace stickslip
     LinearSolver         &linear_solver;
     ConvergenceLog       &log;
     AlgorithmLadder       ladder;
-    Acceptance            found;
+    Verification          found;
     unsigned int          most_iterations = 0; ///< of an algorithm in this step
 
     /// Solves with one algorithm and examines the result. A second time with

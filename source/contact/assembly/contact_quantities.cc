@@ -41,12 +41,12 @@ namespace stickslip
   ContactGeometry<dim>::evaluate(const LA::BlockVector &x)
   {
     configure(x, true);
-    frames.clear();
+    pairings.clear();
     for (const auto &pair : contact.contact_pairs())
       {
-        frames.emplace_back();
+        pairings.emplace_back();
         for (const auto &point : pair->points)
-          frames.back().push_back(pair->find_frame(point));
+          pairings.back().push_back(pair->find_pairing(point));
       }
     evaluated_at = x.block(0);
   }
@@ -71,9 +71,13 @@ namespace stickslip
   void
   ContactGeometry<dim>::accept()
   {
-    for (unsigned int p = 0; p < frames.size(); ++p)
-      for (unsigned int i = 0; i < frames[p].size(); ++i)
-        contact.contact_pairs()[p]->points[i].set_frame(frames[p][i]);
+    for (unsigned int p = 0; p < pairings.size(); ++p)
+      for (unsigned int i = 0; i < pairings[p].size(); ++i)
+        {
+          ContactPoint<dim> &point = contact.contact_pairs()[p]->points[i];
+          point.pairing            = pairings[p][i];
+          point.hysteresis.accept_iterate(point.pairing);
+        }
     accepted_at = evaluated_at;
   }
 
@@ -130,7 +134,8 @@ namespace stickslip
     for (unsigned int p = 0; p < thresholds.size(); ++p)
       for (unsigned int i = 0; i < thresholds[p].size(); ++i)
         {
-          const double frozen = contact.contact_pairs()[p]->points[i].threshold;
+          const double frozen =
+            contact.contact_pairs()[p]->points[i].frozen.threshold;
           difference =
             std::max(difference, std::abs(thresholds[p][i] - frozen));
           largest = std::max({largest, thresholds[p][i], frozen});
@@ -148,7 +153,8 @@ namespace stickslip
   {
     for (unsigned int p = 0; p < thresholds.size(); ++p)
       for (unsigned int i = 0; i < thresholds[p].size(); ++i)
-        contact.contact_pairs()[p]->points[i].threshold = thresholds[p][i];
+        contact.contact_pairs()[p]->points[i].frozen.threshold =
+          thresholds[p][i];
   }
 
 
@@ -203,7 +209,8 @@ namespace stickslip
     unsigned int flips = 0;
     for (unsigned int p = 0; p < closed.size(); ++p)
       for (unsigned int i = 0; i < closed[p].size(); ++i)
-        flips += closed[p][i] != contact.contact_pairs()[p]->points[i].closed;
+        flips +=
+          closed[p][i] != contact.contact_pairs()[p]->points[i].frozen.closed;
     return Utilities::MPI::sum(flips, contact.get_communicator());
   }
 
@@ -215,7 +222,7 @@ namespace stickslip
   {
     for (unsigned int p = 0; p < closed.size(); ++p)
       for (unsigned int i = 0; i < closed[p].size(); ++i)
-        contact.contact_pairs()[p]->points[i].closed = closed[p][i];
+        contact.contact_pairs()[p]->points[i].frozen.closed = closed[p][i];
   }
 
 
@@ -233,7 +240,7 @@ namespace stickslip
       for (const auto &point : pair->points)
         {
           ++seed;
-          if (point.closed)
+          if (point.frozen.closed)
             sum += mixed_bits(std::uint64_t(rank) << 32 | seed);
         }
     return Utilities::MPI::sum(sum, contact.get_communicator());

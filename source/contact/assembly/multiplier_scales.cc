@@ -21,13 +21,14 @@ namespace stickslip
     for (const auto &pair : contact.contact_pairs())
       for (const auto &point : pair->points)
         {
-          const auto        &L = pair->table.multiplier[point.quadrature_index];
+          const auto &L =
+            pair->table.multiplier[point.geometry.quadrature_index];
           const unsigned int n_comp = pair->n_multiplier_components();
           const double       k      = contact_stiffness(*pair, point);
           // as large as rows of Lambda can be beside the size of r_t
-          const double s = point.regularization.threshold_scale;
+          const double s = point.scales.threshold;
 
-          dofs = pair->slave_faces[point.slave_face].multiplier_dofs;
+          dofs = pair->slave_faces[point.geometry.slave_face].multiplier_dofs;
           for (auto &dof : dofs)
             dof += n_displacements;
           flexible.reinit(dofs.size());
@@ -35,7 +36,7 @@ namespace stickslip
           for (unsigned int l = 0; l < L.size(); ++l)
             for (unsigned int c = 0; c < n_comp; ++c)
               {
-                const double area        = point.weight * std::abs(L[l]);
+                const double area = point.geometry.weight * std::abs(L[l]);
                 flexible(l * n_comp + c) = area / k * (c == 0 ? 1. : s * s);
                 stiff(l * n_comp + c)    = area * k;
               }

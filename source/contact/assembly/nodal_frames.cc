@@ -17,19 +17,22 @@ namespace stickslip
         if (pair->parameters.has_friction())
           for (const auto &point : pair->points)
             {
-              if (!point.frame.paired)
+              if (!point.pairing.paired)
                 continue;
               const auto &dofs =
-                pair->slave_faces[point.slave_face].multiplier_dofs;
-              const auto &L = pair->table.multiplier[point.quadrature_index];
+                pair->slave_faces[point.geometry.slave_face].multiplier_dofs;
+              const auto &L =
+                pair->table.multiplier[point.geometry.quadrature_index];
               for (unsigned int l = 0; l < L.size(); ++l)
                 {
                   const Tensor<1, 3> axis =
-                    point.reference_rotations[l][0][0] * point.frame.tau[0] +
-                    point.reference_rotations[l][1][0] * point.frame.tau[1];
+                    point.geometry.reference_rotations[l][0][0] *
+                      point.pairing.tau[0] +
+                    point.geometry.reference_rotations[l][1][0] *
+                      point.pairing.tau[1];
                   for (unsigned int c = 0; c < 3; ++c)
                     sum(dofs[l * 3 + c]) +=
-                      point.weight * std::abs(L[l]) * axis[c];
+                      point.geometry.weight * std::abs(L[l]) * axis[c];
                 }
             }
       sum.compress(VectorOperation::add);
@@ -54,12 +57,12 @@ namespace stickslip
           if (pair->parameters.has_friction())
             for (auto &point : pair->points)
               {
-                if (!point.frame.paired)
+                if (!point.pairing.paired)
                   continue;
                 const auto &dofs =
-                  pair->slave_faces[point.slave_face].multiplier_dofs;
-                const auto        &tau = point.frame.tau;
-                const Tensor<1, 3> n   = point.frame.n;
+                  pair->slave_faces[point.geometry.slave_face].multiplier_dofs;
+                const auto        &tau = point.pairing.tau;
+                const Tensor<1, 3> n   = point.pairing.n;
                 for (unsigned int l = 0; l < point.nodal_rotations.size(); ++l)
                   {
                     Tensor<1, 3> axis;

@@ -45,11 +45,11 @@ namespace stickslip
     accept() override;
 
   private:
-    ContactAssembler<dim>                      &contact;
-    ConfigureContact                            configure;
-    std::vector<std::vector<ContactFrame<dim>>> frames; ///< [pair][point]
-    LA::Vector                                  evaluated_at;
-    LA::Vector                                  accepted_at;
+    ContactAssembler<dim>                 &contact;
+    ConfigureContact                       configure;
+    std::vector<std::vector<Pairing<dim>>> pairings; ///< [pair][point]
+    LA::Vector                             evaluated_at;
+    LA::Vector                             accepted_at;
   };
 
 

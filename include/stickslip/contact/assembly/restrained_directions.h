@@ -1,5 +1,5 @@
-#ifndef stickslip_contact_assembly_held_directions_h
-#define stickslip_contact_assembly_held_directions_h
+#ifndef stickslip_contact_assembly_restrained_directions_h
+#define stickslip_contact_assembly_restrained_directions_h
 
 #include <stickslip/contact/assembly/contact_assembler.h>
 
@@ -23,9 +23,9 @@ namespace stickslip
    */
   template <int dim>
   void
-  update_held_directions(ContactAssembler<dim> &contact,
-                         const Constraints     &constraints,
-                         const LA::Vector      &accepted_multipliers);
+  update_restrained_directions(ContactAssembler<dim> &contact,
+                               const Constraints     &constraints,
+                               const LA::Vector      &accepted_multipliers);
 } // namespace stickslip
 
 #endif

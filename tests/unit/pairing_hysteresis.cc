@@ -11,10 +11,10 @@ using namespace stickslip;
 namespace
 {
   /// On a facet at @p xi; 0 to 1 is inside.
-  ContactFrame<2>
+  Pairing<2>
   on_facet(const unsigned int facet, const double xi)
   {
-    ContactFrame<2> frame;
+    Pairing<2> frame;
     frame.paired       = true;
     frame.face_id.face = facet;
     frame.xi[0]        = xi;
@@ -30,7 +30,7 @@ namespace
   {
     for (unsigned int i = 0; i < n_changes; ++i)
       point.set_frame(on_facet((n_changes - i) % 2, 0.5));
-    point.frame.xi[0] = xi;
+    point.pairing.xi[0] = xi;
   }
 
 
@@ -39,10 +39,10 @@ namespace
   void
   come_and_go(ContactPoint<2> &point, const unsigned int n_changes)
   {
-    ContactFrame<2> at_the_end = on_facet(1, 1.);
+    Pairing<2> at_the_end = on_facet(1, 1.);
     at_the_end.free.fill(false);
     for (unsigned int i = 0; i < n_changes; ++i)
-      point.set_frame(point.frame.paired ? ContactFrame<2>() : at_the_end);
+      point.set_frame(point.pairing.paired ? Pairing<2>() : at_the_end);
   }
 
 
@@ -63,8 +63,8 @@ namespace
   new_point(const bool learns)
   {
     ContactPoint<2> point;
-    point.frame  = on_facet(1, 0.5);
-    point.learns = learns;
+    point.pairing = on_facet(1, 0.5);
+    point.learns  = learns;
     point.accept_frame();
     return point;
   }
@@ -98,7 +98,7 @@ namespace
     print("6 changes more, learns", point);
     point.restore_frame();
     print("the step fails", point);
-    point.frame = on_facet(1, 0.5);
+    point.pairing = on_facet(1, 0.5);
     point.accept_frame();
     print("accepted inside its facet", point);
   }
