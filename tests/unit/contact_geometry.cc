@@ -180,7 +180,7 @@ namespace
             const Pairing<dim> frame = patch->find(probes[i].x,
                                                    probes[i].slave_normal,
                                                    Pairing<dim>(),
-                                                   PairingMemory());
+                                                   EdgeRetention());
             own.push_back(
               {i,
                frame.paired,

@@ -120,10 +120,10 @@ namespace contact_test
 
   struct Setting
   {
-    Live      live;
-    Threshold threshold = Threshold::augmented; // if live
-    bool      friction  = true;
-    bool      closed    = false; // if the status is frozen
+    Live          live;
+    ThresholdKind threshold = ThresholdKind::augmented; // if live
+    bool          friction  = true;
+    bool          closed    = false; // if the status is frozen
   };
 
 
@@ -294,6 +294,10 @@ namespace contact_test
                                   setting.live.geometry,
                                   differentiate,
                                   state.kinematics);
+      const Tensor<2, dim> projector =
+        restrain_slip(point.restrained.directions,
+                      differentiate,
+                      state.kinematics);
       ContactElement<dim> element{point,
                                   slave_shape.value,
                                   slave_shape.value,
@@ -316,17 +320,28 @@ namespace contact_test
                                         state.kinematics.tau),
                  state.kinematics.d_t,
                  point.regularization);
-      evaluate_contact_law(state.kinematics,
+      PointLaw law;
+      law.r              = point.regularization;
+      law.open_row       = point.scales.open_row;
+      law.threshold.kind = !setting.friction        ? ThresholdKind::none
+                           : setting.live.threshold ? setting.threshold
+                                                    : ThresholdKind::given;
+      law.threshold.friction_coefficient = 0.4;
+      law.threshold.given                = 0.9;
+      evaluate_contact_law(law,
+                           state.kinematics,
                            state.multipliers,
                            state.status,
-                           !setting.friction        ? Threshold::none
-                           : setting.live.threshold ? setting.threshold
-                                                    : Threshold::given,
-                           0.4,
-                           0.9,
-                           point.regularization,
                            differentiate,
                            state.response);
+      restrain_Lambda(state.kinematics,
+                      state.multipliers,
+                      state.status,
+                      projector,
+                      point.restrained.Lambda,
+                      law.r.r_t_law,
+                      differentiate,
+                      state.response);
       return element;
     }
 
@@ -375,7 +390,7 @@ namespace contact_test
             phi += state.response.threshold / (2. * r.r_t_augmentation) *
                    ((state.status.stick ? g * g : 2. * g - 1.) - Lambda_square);
           else
-            phi -= 0.5 * r.open_scale * Lambda_square;
+            phi -= 0.5 * point.scales.open_row * Lambda_square;
         }
       return point.geometry.weight * phi;
     }

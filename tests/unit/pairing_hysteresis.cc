@@ -1,7 +1,8 @@
 // What a contact point's changes of facet and partner mean for its next
-// pairing: nothing unless it learns, and in later steps what it has learnt.
+// pairing: nothing unless the hysteresis is active, and in later steps what is
+// left of it.
 
-#include <stickslip/contact/point/contact_point.h>
+#include <stickslip/contact/point/pairing_hysteresis.h>
 
 #include <iostream>
 #include <string>
@@ -24,12 +25,34 @@ namespace
 
 
 
+  /// A point with its present pairing.
+  struct Partner
+  {
+    Pairing<2>           pairing;
+    PairingHysteresis<2> hysteresis;
+
+    void
+    move_to(const Pairing<2> &found)
+    {
+      pairing = found;
+      hysteresis.accept_iterate(found);
+    }
+
+    void
+    accept_step()
+    {
+      hysteresis.accept_step(pairing);
+    }
+  };
+
+
+
   /// Changes to and fro between two facets; ends at @p xi of the second one.
   void
-  hop(ContactPoint<2> &point, const unsigned int n_changes, const double xi)
+  hop(Partner &point, const unsigned int n_changes, const double xi)
   {
     for (unsigned int i = 0; i < n_changes; ++i)
-      point.set_frame(on_facet((n_changes - i) % 2, 0.5));
+      point.move_to(on_facet((n_changes - i) % 2, 0.5));
     point.pairing.xi[0] = xi;
   }
 
@@ -37,35 +60,37 @@ namespace
 
   /// Loses and finds its partner at the end of the master surface.
   void
-  come_and_go(ContactPoint<2> &point, const unsigned int n_changes)
+  come_and_go(Partner &point, const unsigned int n_changes)
   {
     Pairing<2> at_the_end = on_facet(1, 1.);
     at_the_end.free.fill(false);
     for (unsigned int i = 0; i < n_changes; ++i)
-      point.set_frame(point.pairing.paired ? Pairing<2>() : at_the_end);
+      point.move_to(point.pairing.paired ? Pairing<2>() : at_the_end);
   }
 
 
 
   void
-  print(const std::string &title, const ContactPoint<2> &point)
+  print(const std::string &title, const Partner &point)
   {
-    const PairingMemory memory = point.pairing_memory();
-    std::cout << title << ": " << (point.hops_between_facets() ? "hops, " : "")
-              << (point.hops_over_the_end() ? "comes and goes, " : "")
-              << "overlap x " << memory.overlap_factor
-              << (memory.clings ? ", clings" : "") << std::endl;
+    const EdgeRetention retention = point.hysteresis.retention();
+    std::cout << title << ": "
+              << (point.hysteresis.switches_facets() ? "switches, " : "")
+              << (point.hysteresis.switches_at_end() ? "comes and goes, " : "")
+              << "overlap x " << retention.overlap_factor
+              << (retention.beyond_end ? ", kept beyond the end" : "")
+              << std::endl;
   }
 
 
 
-  ContactPoint<2>
-  new_point(const bool learns)
+  Partner
+  new_point(const bool active)
   {
-    ContactPoint<2> point;
+    Partner point;
     point.pairing = on_facet(1, 0.5);
-    point.learns  = learns;
-    point.accept_frame();
+    point.hysteresis.set_active(active);
+    point.accept_step();
     return point;
   }
 
@@ -75,31 +100,31 @@ namespace
   test_facets()
   {
     for (const unsigned int n : {4, 6, 12, 18})
-      for (const bool learns : {false, true})
+      for (const bool active : {false, true})
         {
-          ContactPoint<2> point = new_point(learns);
+          Partner point = new_point(active);
           hop(point, n, 0.5);
           print(std::to_string(n) + " changes of facet" +
-                  (learns ? ", learns" : ""),
+                  (active ? ", active" : ""),
                 point);
         }
 
-    ContactPoint<2> point = new_point(true);
+    Partner point = new_point(true);
     hop(point, 6, 1.005);
-    point.accept_frame();
-    point.learns = false;
+    point.accept_step();
+    point.hysteresis.set_active(false);
     print("accepted beyond its facet", point);
     hop(point, 6, 1.005);
-    print("6 changes more without learning", point);
-    point.accept_frame();
+    print("6 changes more while not active", point);
+    point.accept_step();
     print("accepted", point);
-    point.learns = true;
+    point.hysteresis.set_active(true);
     hop(point, 6, 0.5);
-    print("6 changes more, learns", point);
-    point.restore_frame();
+    print("6 changes more, active", point);
+    point.hysteresis.restore();
     print("the step fails", point);
     point.pairing = on_facet(1, 0.5);
-    point.accept_frame();
+    point.accept_step();
     print("accepted inside its facet", point);
   }
 
@@ -109,23 +134,23 @@ namespace
   test_end()
   {
     for (const unsigned int n : {2, 4})
-      for (const bool learns : {false, true})
+      for (const bool active : {false, true})
         {
-          ContactPoint<2> point = new_point(learns);
+          Partner point = new_point(active);
           come_and_go(point, n);
           print("partner lost and found, " + std::to_string(n) + " changes" +
-                  (learns ? ", learns" : ""),
+                  (active ? ", active" : ""),
                 point);
-          point.accept_frame();
-          point.learns = false;
+          point.accept_step();
+          point.hysteresis.set_active(false);
           print("  accepted", point);
         }
-    ContactPoint<2> point = new_point(true);
+    Partner point = new_point(true);
     come_and_go(point, 4);
-    point.accept_frame();
-    point.learns = false;
-    point.set_frame(on_facet(1, 0.5));
-    point.accept_frame();
+    point.accept_step();
+    point.hysteresis.set_active(false);
+    point.move_to(on_facet(1, 0.5));
+    point.accept_step();
     print("and inside again", point);
   }
 } // namespace

@@ -131,14 +131,14 @@ namespace stickslip
 
 
 
-    /// The tangential ones among the directions that are held.
+    /// The tangential ones among the restrained directions.
     template <int dim>
     std::vector<Tensor<1, dim>>
-    tangential_directions(const std::vector<Tensor<1, dim>> &held,
+    tangential_directions(const std::vector<Tensor<1, dim>> &restrained,
                           const Tensor<1, dim>              &n)
     {
       SymmetricTensor<2, dim> sum;
-      for (const auto &h : held)
+      for (const auto &h : restrained)
         {
           const Tensor<1, dim> t = h - (h * n) * n;
           sum += symmetrize(outer_product(t, t));
