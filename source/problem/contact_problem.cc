@@ -72,11 +72,12 @@ namespace stickslip
       if (may_fetch)
         ++counts.pairings;
     };
-    geometry  = std::make_unique<ContactGeometry<dim>>(*contact_assembler,
+    geometry = std::make_unique<ContactGeometry<dim>>(*contact_assembler,
                                                       configure_contact);
-    threshold = std::make_unique<FrictionThreshold<dim>>(*contact_assembler,
-                                                         configure_contact);
-    status    = std::make_unique<ContactStatusField<dim>>(*contact_assembler,
+    threshold =
+      std::make_unique<FrictionThresholdField<dim>>(*contact_assembler,
+                                                    configure_contact);
+    status = std::make_unique<ContactStatusField<dim>>(*contact_assembler,
                                                        configure_contact);
 
     // Forces are measured against at least this one: the largest modulus at a

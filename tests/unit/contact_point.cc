@@ -172,9 +172,9 @@ namespace
 
   template <int dim>
   void
-  check_tangents(PointProblem<dim> &problem,
-                 const Threshold    threshold,
-                 Checks            &checks)
+  check_tangents(PointProblem<dim>  &problem,
+                 const ThresholdKind threshold,
+                 Checks             &checks)
   {
     const unsigned int m = problem.first_multiplier;
     const unsigned int s = dim * problem.shape.n_nodes();

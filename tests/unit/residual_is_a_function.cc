@@ -11,7 +11,9 @@
 #include <deal.II/dofs/dof_tools.h>
 
 #include <cmath>
-#include <set>
+#include <map>
+#include <string>
+#include <vector>
 
 using namespace stickslip;
 

@@ -224,9 +224,9 @@ namespace stickslip
     std::unique_ptr<ProblemSparsity<dim>>    sparsity;
     std::unique_ptr<SystemDescription<dim>>  system_description;
 
-    std::unique_ptr<ContactGeometry<dim>>    geometry;
-    std::unique_ptr<FrictionThreshold<dim>>  threshold;
-    std::unique_ptr<ContactStatusField<dim>> status;
+    std::unique_ptr<ContactGeometry<dim>>        geometry;
+    std::unique_ptr<FrictionThresholdField<dim>> threshold;
+    std::unique_ptr<ContactStatusField<dim>>     status;
 
     double          time = 0.;
     LA::BlockVector x_old;

@@ -84,8 +84,9 @@ namespace stickslip
 
 
   template <int dim>
-  FrictionThreshold<dim>::FrictionThreshold(ContactAssembler<dim>  &contact,
-                                            const ConfigureContact &configure)
+  FrictionThresholdField<dim>::FrictionThresholdField(
+    ContactAssembler<dim>  &contact,
+    const ConfigureContact &configure)
     : contact(contact)
     , configure(configure)
   {}
@@ -94,7 +95,7 @@ namespace stickslip
 
   template <int dim>
   std::string
-  FrictionThreshold<dim>::name() const
+  FrictionThresholdField<dim>::name() const
   {
     return "threshold";
   }
@@ -103,7 +104,7 @@ namespace stickslip
 
   template <int dim>
   void
-  FrictionThreshold<dim>::set_live(const bool live)
+  FrictionThresholdField<dim>::set_live(const bool live)
   {
     contact.live.threshold = live;
   }
@@ -112,7 +113,7 @@ namespace stickslip
 
   template <int dim>
   void
-  FrictionThreshold<dim>::evaluate(const LA::BlockVector &x)
+  FrictionThresholdField<dim>::evaluate(const LA::BlockVector &x)
   {
     configure(x, false);
     thresholds.clear();
@@ -128,7 +129,7 @@ namespace stickslip
 
   template <int dim>
   double
-  FrictionThreshold<dim>::change() const
+  FrictionThresholdField<dim>::change() const
   {
     double difference = 0., largest = 0.;
     for (unsigned int p = 0; p < thresholds.size(); ++p)
@@ -149,7 +150,7 @@ namespace stickslip
 
   template <int dim>
   void
-  FrictionThreshold<dim>::accept()
+  FrictionThresholdField<dim>::accept()
   {
     for (unsigned int p = 0; p < thresholds.size(); ++p)
       for (unsigned int i = 0; i < thresholds[p].size(); ++i)
@@ -248,8 +249,8 @@ namespace stickslip
 
   template class ContactGeometry<2>;
   template class ContactGeometry<3>;
-  template class FrictionThreshold<2>;
-  template class FrictionThreshold<3>;
+  template class FrictionThresholdField<2>;
+  template class FrictionThresholdField<3>;
   template class ContactStatusField<2>;
   template class ContactStatusField<3>;
 } // namespace stickslip

@@ -1,5 +1,7 @@
 #include <stickslip/contact/assembly/point_evaluator.h>
 
+#include <vector>
+
 namespace stickslip
 {
   namespace
@@ -21,8 +23,8 @@ namespace stickslip
       result.closed = point.cure.held_closed.value_or(
         is_live ? is_closed(state.multipliers.lambda_n,
                             state.kinematics.d_n,
-                            point.regularization) :
-                  point.frozen.closed);
+                            point.regularization)
+                : point.frozen.closed);
       if (result.closed && has_friction)
         result.stick = point.cure.held_stick.value_or(
           is_stick(tangential_vector<dim>(state.multipliers.Lambda,
@@ -41,9 +43,9 @@ namespace stickslip
         return ThresholdKind::none;
       if (parameters.friction == Friction::Tresca || !is_live)
         return ThresholdKind::given;
-      return parameters.threshold_form == ThresholdForm::plain ?
-               ThresholdKind::plain :
-               ThresholdKind::augmented;
+      return parameters.threshold_form == ThresholdForm::plain
+               ? ThresholdKind::plain
+               : ThresholdKind::augmented;
     }
   } // namespace
 
@@ -165,9 +167,9 @@ namespace stickslip
       !live.status && pair.parameters.is_independent_of_regularization();
     return augmented_threshold(pair.parameters.friction_coefficient,
                                state.multipliers.lambda_n,
-                               counts_no_gap ?
-                                 0. :
-                                 point.regularization.r_n_augmentation,
+                               counts_no_gap
+                                 ? 0.
+                                 : point.regularization.r_n_augmentation,
                                state.kinematics.d_n);
   }
 
@@ -187,10 +189,10 @@ namespace stickslip
     law.threshold.kind       = threshold_kind(parameters, live.threshold);
     law.threshold.negligible = point.scales.negligible_threshold;
     law.threshold.friction_coefficient = parameters.friction_coefficient;
-    law.threshold.given = parameters.friction == Friction::Tresca ?
-                            parameters.tresca_threshold :
-                            point.frozen.threshold;
-    law.open_row        = point.scales.open_row;
+    law.threshold.given                = parameters.friction == Friction::Tresca
+                                           ? parameters.tresca_threshold
+                                           : point.frozen.threshold;
+    law.open_row                       = point.scales.open_row;
     return law;
   }
 
@@ -200,8 +202,8 @@ namespace stickslip
   void
   PointEvaluator<dim>::evaluate_point(const ContactPair<dim>  &pair,
                                       const ContactPoint<dim> &point,
-                                      const bool               linearize_geometry,
-                                      const bool               with_derivatives)
+                                      const bool linearize_geometry,
+                                      const bool with_derivatives)
   {
     evaluate_kinematics(pair, point, linearize_geometry, with_derivatives);
     const bool is_restrained =

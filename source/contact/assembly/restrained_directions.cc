@@ -175,28 +175,27 @@ namespace stickslip
                             multipliers.locally_relevant(),
                             contact.get_communicator());
         }
-      for (const auto &pair : contact.contact_pairs())
-        if (pair->parameters.has_friction())
-          for (const auto &point : pair->points)
-            {
-              if (!point.pairing.paired)
-                continue;
-              const SymmetricTensor<2, dim> K =
-                moves_freely(*pair, point, constraints)
-                  ? unit_symmetric_tensor<dim>()
-                  : mobility(*pair,
-                             point,
-                             contact.evaluate(*pair, point),
-                             constraints);
-              const auto &dofs =
-                pair->slave_faces[point.geometry.slave_face].multiplier_dofs;
-              const auto &L =
-                pair->table.multiplier[point.geometry.quadrature_index];
-              for (unsigned int l = 0; l < L.size(); ++l)
-                for (unsigned int k = 0; k < dim; ++k)
-                  for (unsigned int c = 0; c < dim; ++c)
-                    sum[k](dofs[l * dim + c]) += std::abs(L[l]) * K[k][c];
-            }
+      for_each_point(
+        contact,
+        [&](const ContactPair<dim> &pair, const ContactPoint<dim> &point) {
+          if (!pair.parameters.has_friction() || !point.pairing.paired)
+            return;
+          const SymmetricTensor<2, dim> K =
+            moves_freely(pair, point, constraints)
+              ? unit_symmetric_tensor<dim>()
+              : mobility(pair,
+                         point,
+                         contact.evaluate(pair, point),
+                         constraints);
+          const auto &dofs =
+            pair.slave_faces[point.geometry.slave_face].multiplier_dofs;
+          const auto &L =
+            pair.table.multiplier[point.geometry.quadrature_index];
+          for (unsigned int l = 0; l < L.size(); ++l)
+            for (unsigned int k = 0; k < dim; ++k)
+              for (unsigned int c = 0; c < dim; ++c)
+                sum[k](dofs[l * dim + c]) += std::abs(L[l]) * K[k][c];
+        });
       for (unsigned int k = 0; k < dim; ++k)
         {
           sum[k].compress(VectorOperation::add);
@@ -215,31 +214,30 @@ namespace stickslip
                                const LA::Vector      &accepted_multipliers)
   {
     const auto nodal = nodal_mobilities(contact, constraints);
-    for (const auto &pair : contact.contact_pairs())
-      if (pair->parameters.has_friction())
-        for (auto &point : pair->points)
-          {
-            point.restrained.directions.clear();
-            if (!point.pairing.paired ||
-                moves_freely(*pair, point, constraints))
-              continue;
-            const auto &dofs =
-              pair->slave_faces[point.geometry.slave_face].multiplier_dofs;
-            const auto &L =
-              pair->table.multiplier[point.geometry.quadrature_index];
-            SymmetricTensor<2, dim> K;
-            for (unsigned int l = 0; l < L.size(); ++l)
-              if (std::abs(L[l]) > 1e-12)
-                for (unsigned int k = 0; k < dim; ++k)
-                  for (unsigned int c = k; c < dim; ++c)
-                    K[k][c] += nodal[k](dofs[l * dim + c]);
-            point.restrained.directions = tangential_directions(
-              null_directions(K, no_mobility * no_mobility), point.pairing.n);
-            if (point.restrained.directions.empty())
-              continue;
-            point.restrained.Lambda =
-              contact.multipliers_at(*pair, point, accepted_multipliers).Lambda;
-          }
+    for_each_point(
+      contact, [&](ContactPair<dim> &pair, ContactPoint<dim> &point) {
+        if (!pair.parameters.has_friction())
+          return;
+        point.restrained.directions.clear();
+        if (!point.pairing.paired || moves_freely(pair, point, constraints))
+          return;
+        const auto &dofs =
+          pair.slave_faces[point.geometry.slave_face].multiplier_dofs;
+        const auto &L = pair.table.multiplier[point.geometry.quadrature_index];
+        SymmetricTensor<2, dim> K;
+        for (unsigned int l = 0; l < L.size(); ++l)
+          if (std::abs(L[l]) > 1e-12)
+            for (unsigned int k = 0; k < dim; ++k)
+              for (unsigned int c = k; c < dim; ++c)
+                K[k][c] += nodal[k](dofs[l * dim + c]);
+        point.restrained.directions =
+          tangential_directions(null_directions(K, no_mobility * no_mobility),
+                                point.pairing.n);
+        if (point.restrained.directions.empty())
+          return;
+        point.restrained.Lambda =
+          contact.multipliers_at(pair, point, accepted_multipliers).Lambda;
+      });
   }
 
   template void

@@ -168,22 +168,21 @@ namespace stickslip
   void
   record_initial_pairings(ContactAssembler<dim> &contact)
   {
-    for (const auto &pair : contact.contact_pairs())
-      for (auto &point : pair->points)
-        {
-          const Pairing<dim> pairing   = pair->find_pairing(point);
-          point.initial_pairing.paired = pairing.paired;
-          if (!pairing.paired)
-            continue;
-          MasterPoint<dim> master;
-          evaluate_master_point(pair->patch->face(pairing.face),
-                                pair->patch->configuration(pairing.face),
-                                pair->patch->face_shape(),
-                                pairing.xi,
-                                master);
-          point.initial_pairing.n               = pairing.n;
-          point.initial_pairing.master_position = master.x;
-        }
+    for_each_point(
+      contact, [](ContactPair<dim> &pair, ContactPoint<dim> &point) {
+        const Pairing<dim> pairing   = pair.find_pairing(point);
+        point.initial_pairing.paired = pairing.paired;
+        if (!pairing.paired)
+          return;
+        MasterPoint<dim> master;
+        evaluate_master_point(pair.patch->face(pairing.face),
+                              pair.patch->configuration(pairing.face),
+                              pair.patch->face_shape(),
+                              pairing.xi,
+                              master);
+        point.initial_pairing.n               = pairing.n;
+        point.initial_pairing.master_position = master.x;
+      });
   }
 
 

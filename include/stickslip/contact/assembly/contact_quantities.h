@@ -59,11 +59,11 @@ namespace stickslip
    * Res(seuil), the largest change over the largest threshold.
    */
   template <int dim>
-  class FrictionThreshold : public FreezableQuantity
+  class FrictionThresholdField : public FreezableQuantity
   {
   public:
-    FrictionThreshold(ContactAssembler<dim>  &contact,
-                      const ConfigureContact &configure);
+    FrictionThresholdField(ContactAssembler<dim>  &contact,
+                           const ConfigureContact &configure);
 
     std::string
     name() const override;
