@@ -1,11 +1,12 @@
 #include <stickslip/problem/contact_problem.h>
 
 #include <stickslip/base/no_convergence.h>
+#include <stickslip/base/over_ranks.h>
 #include <stickslip/base/user_error.h>
 
 #include <stickslip/contact/assembly/contact_scales.h>
-#include <stickslip/contact/assembly/held_directions.h>
 #include <stickslip/contact/assembly/nodal_frames.h>
+#include <stickslip/contact/assembly/restrained_directions.h>
 
 #include <stickslip/problem/contact_pairs.h>
 
@@ -71,11 +72,12 @@ namespace stickslip
       if (may_fetch)
         ++counts.pairings;
     };
-    geometry  = std::make_unique<ContactGeometry<dim>>(*contact_assembler,
+    geometry = std::make_unique<ContactGeometry<dim>>(*contact_assembler,
                                                       configure_contact);
-    threshold = std::make_unique<FrictionThreshold<dim>>(*contact_assembler,
-                                                         configure_contact);
-    status    = std::make_unique<ContactStatusField<dim>>(*contact_assembler,
+    threshold =
+      std::make_unique<FrictionThresholdField<dim>>(*contact_assembler,
+                                                    configure_contact);
+    status = std::make_unique<ContactStatusField<dim>>(*contact_assembler,
                                                        configure_contact);
 
     // Forces are measured against at least this one: the largest modulus at a
@@ -139,7 +141,7 @@ namespace stickslip
                    (patches_were_checked || !may_fetch_patches);
     for (unsigned int b = 0; is_same && b < x.n_blocks(); ++b)
       is_same = configured_x.block(b) == x.block(b); // of this rank
-    return Utilities::MPI::min(is_same ? 1 : 0, communicator) == 1;
+    return all_ranks(is_same, communicator);
   }
 
 
@@ -203,14 +205,15 @@ namespace stickslip
   ContactProblem<dim>::begin_iteration(const LA::BlockVector &x)
   {
     configure(x, contact_assembler->live.geometry);
+    contact_assembler->accept_iterate();
     update_contact_scales(*contact_assembler);
     constraints->update(time, x.block(0), /*is_accepted=*/true);
     update_nodal_frames(*contact_assembler);
     LA::Vector accepted(lambda);
     accepted = x_old.block(1);
-    update_held_directions(*contact_assembler,
-                           constraints->increment(),
-                           accepted);
+    update_restrained_directions(*contact_assembler,
+                                 constraints->increment(),
+                                 accepted);
   }
 
 
@@ -351,6 +354,7 @@ namespace stickslip
   {
     solid_assembler->restore();
     contact_assembler->restore();
+    is_configured = false;
   }
 
 

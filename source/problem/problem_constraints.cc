@@ -104,6 +104,50 @@ namespace stickslip
 
 
   template <int dim>
+  Constraints
+  ProblemConstraints<dim>::geometric_lines_seen() const
+  {
+    Constraints lines(dofs.relevant);
+    DoFTools::make_hanging_node_constraints(dofs.dof_handler, lines);
+    boundary_conditions.add_periodicity(dofs.dof_handler, lines);
+    return lines;
+  }
+
+
+
+  template <int dim>
+  double
+  ProblemConstraints<dim>::largest_inhomogeneity(
+    const Constraints &lines,
+    const LA::Vector  &displacement) const
+  {
+    double largest = 0.;
+    for (const auto i : dofs.owned)
+      if (lines.is_inhomogeneously_constrained(i))
+        largest = std::max(largest, std::abs(lines.get_inhomogeneity(i)));
+    largest = Utilities::MPI::max(largest, communicator);
+    // what is left of a fully applied displacement is roundoff
+    return largest <= 1e-14 * displacement.linfty_norm() ? 0. : largest;
+  }
+
+
+
+  template <int dim>
+  double
+  ProblemConstraints<dim>::unapplied_displacement_of(
+    const double      time,
+    const LA::Vector &displacement) const
+  {
+    Constraints lines = geometric_lines_seen();
+    boundary_conditions.add_prescribed_displacements(
+      dofs.mapping, dofs.dof_handler, time, displacement, lines);
+    lines.close();
+    return largest_inhomogeneity(lines, displacement);
+  }
+
+
+
+  template <int dim>
   void
   ProblemConstraints<dim>::update(const double      time,
                                   const LA::Vector &displacement,
@@ -114,10 +158,7 @@ namespace stickslip
     const auto    &multipliers = contact.multipliers();
     const IndexSet needed      = contact.needed_displacements();
 
-    Constraints displacement_lines(dofs.relevant);
-    DoFTools::make_hanging_node_constraints(dofs.dof_handler,
-                                            displacement_lines);
-    boundary_conditions.add_periodicity(dofs.dof_handler, displacement_lines);
+    Constraints    displacement_lines = geometric_lines_seen();
     const IndexSet local =
       combined_index_set(needed, multipliers.locally_relevant());
     geometric_lines.reinit(local);
@@ -132,16 +173,7 @@ namespace stickslip
 
     geometric_lines.close();
 
-    unapplied = 0.;
-    for (const auto i : dofs.owned)
-      if (increment_lines.is_inhomogeneously_constrained(i))
-        unapplied =
-          std::max(unapplied, std::abs(increment_lines.get_inhomogeneity(i)));
-    unapplied            = Utilities::MPI::max(unapplied, communicator);
-    const double largest = displacement.linfty_norm();
-    // what is left of a fully applied displacement is roundoff
-    if (unapplied <= 1e-14 * largest)
-      unapplied = 0.;
+    unapplied = largest_inhomogeneity(increment_lines, displacement);
     // Newton may yet go back behind a state that it has not accepted.
     is_up_to_date = is_accepted && unapplied == 0.;
   }

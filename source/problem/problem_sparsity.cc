@@ -37,11 +37,11 @@ namespace stickslip
     const auto  &pairs = contact.contact_pairs();
     for (unsigned int p = 0; p < pairs.size(); ++p)
       for (const auto &point : pairs[p]->points)
-        if (point.frame.paired)
+        if (point.pairing.paired)
           n_new += known_couplings
                      .emplace(p,
-                              point.slave_face,
-                              pairs[p]->patch->face(point.frame.face).id)
+                              point.geometry.slave_face,
+                              pairs[p]->patch->face(point.pairing.face).id)
                      .second;
     return Utilities::MPI::sum(n_new, communicator) == 0;
   }

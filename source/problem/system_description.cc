@@ -1,5 +1,7 @@
 #include <stickslip/problem/system_description.h>
 
+#include <stickslip/base/over_ranks.h>
+
 #include <stickslip/contact/assembly/multiplier_scales.h>
 
 #include <stickslip/problem/rigid_modes.h>
@@ -36,7 +38,7 @@ namespace stickslip
     now.compress();
     const bool is_new = constrained.size() == 0 || now != constrained;
     constrained       = now;
-    return Utilities::MPI::max(is_new ? 1 : 0, communicator) == 1;
+    return any_rank(is_new, communicator);
   }
 
 

@@ -10,6 +10,8 @@ namespace stickslip
     /// Appends what it meets to a record.
     struct RecordAppender
     {
+      static constexpr bool is_reading = false;
+
       std::vector<double> &record;
 
       template <typename Number>
@@ -38,6 +40,8 @@ namespace stickslip
     /// Sets what it meets from a record; zero beyond its end.
     struct RecordExtractor
     {
+      static constexpr bool is_reading = true;
+
       const std::vector<double> &record;
       std::size_t                position = 0;
 
@@ -134,7 +138,7 @@ namespace stickslip
           faces.of_cell[pair->slave_faces[f].face.id.cell].push_back(f);
         faces.first_point.resize(pair->slave_faces.size() + 1);
         for (const auto &point : pair->points)
-          ++faces.first_point[point.slave_face + 1];
+          ++faces.first_point[point.geometry.slave_face + 1];
         for (unsigned int f = 0; f < pair->slave_faces.size(); ++f)
           faces.first_point[f + 1] += faces.first_point[f];
         slave_faces.push_back(faces);
@@ -151,10 +155,14 @@ namespace stickslip
   {
     for (unsigned int c = 0; c < dim; ++c)
       cursor(point.accumulated_slip[c]);
-    // what find_frame() takes as the hint; the rest follows from it
-    ContactFrame<dim> &frame = point.accepted_frame;
-    FaceId            &face  = frame.face_id;
-    cursor(frame.paired);
+    // adapted regularization is kept from step to step
+    cursor(point.cure.r_n_factor);
+    cursor(point.cure.r_t_factor);
+    // what the next pairing starts from; the rest follows from it
+    auto          state   = point.hysteresis.accepted();
+    Pairing<dim> &pairing = state.pairing;
+    FaceId       &face    = pairing.face_id;
+    cursor(pairing.paired);
     unsigned int coarse_cell = names.coarse_name(face.cell[0]);
     cursor(coarse_cell);
     face.cell[0] = names.coarse_id(coarse_cell);
@@ -163,11 +171,13 @@ namespace stickslip
     cursor(face.face);
     for (unsigned int d = 0; d < dim - 1; ++d)
       {
-        cursor(frame.xi[d]);
-        cursor(frame.free[d]);
+        cursor(pairing.xi[d]);
+        cursor(pairing.free[d]);
       }
-    cursor(point.accepted_facet_changes);
-    cursor(point.was_clinging);
+    cursor(state.facet_changes);
+    cursor(state.kept_beyond_end);
+    if (Cursor::is_reading)
+      point.hysteresis.resume(state);
   }
 
 

@@ -17,45 +17,6 @@ namespace stickslip
 
 
 
-    /// While it lives, all paired points are closed and stuck and carry no
-    /// augmentation, so that the assembled blocks are those of the bodies, of
-    /// the gaps and of the slips.
-    template <int dim>
-    class EqualityConstraints
-    {
-    public:
-      explicit EqualityConstraints(ContactAssembler<dim> &contact)
-        : contact(contact)
-      {
-        for (const auto &pair : contact.contact_pairs())
-          for (auto &point : pair->points)
-            {
-              regularizations.push_back(point.regularization);
-              point.regularization.r_n_augmentation = 0.;
-              point.regularization.r_t_augmentation = 0.;
-              point.cure.held_closed                = true;
-              point.cure.held_stick                 = true;
-            }
-      }
-
-      ~EqualityConstraints()
-      {
-        auto saved = regularizations.begin();
-        for (const auto &pair : contact.contact_pairs())
-          for (auto &point : pair->points)
-            {
-              point.regularization = *saved++;
-              point.cure.release();
-            }
-      }
-
-    private:
-      ContactAssembler<dim>      &contact;
-      std::vector<Regularization> regularizations;
-    };
-
-
-
     /// A row without entries belongs to a node that has no contact or, for
     /// Lambda, no friction threshold.
     template <int dim>
@@ -94,7 +55,9 @@ namespace stickslip
                        LA::BlockVector       &increment)
   {
     {
-      const EqualityConstraints<dim> equalities(problem.contact());
+      // the blocks of the bodies, of the gaps and of the slips
+      const StatusRuleScope<dim> equalities(problem.contact(),
+                                            StatusRule::all_stick);
       problem.assemble(state);
     }
     Timer                            timer;

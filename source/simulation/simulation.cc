@@ -302,7 +302,7 @@ namespace stickslip
   Simulation<dim>::write_statistics()
   {
     const SolveCounts          &counts    = problem.counts;
-    const Acceptance           &found     = step_solver.acceptance();
+    const Verification         &found     = step_solver.verification();
     const auto                 &violation = found.violation;
     const CycleTreatmentCounts &cures     = step_solver.cures.counts;
     statistics.add("step", steps().step_number());
@@ -329,7 +329,7 @@ namespace stickslip
     statistics.add("solve_seconds", counts.solve_seconds);
     statistics.add("max_penetration", violation.penetration);
     statistics.add("max_tension", violation.tension);
-    statistics.add("max_disc_excess", violation.disc);
+    statistics.add("max_disc_excess", violation.friction_cone_excess);
     statistics.add("max_stick_slip", violation.stick_slip);
     statistics.add("max_direction_error", violation.direction);
     statistics.add("normal_law_error", violation.normal_law);

@@ -163,7 +163,7 @@ namespace stickslip
   {
     problem.begin_step(time, accepted);
     problem.configure(accepted, true);
-    note_partners(problem.contact());
+    record_initial_pairings(problem.contact());
     cures.begin_step();
     for (Attempt attempt = control.first_attempt();;)
       try
@@ -238,10 +238,10 @@ namespace stickslip
   void
   StepSolver<dim>::verify(const LA::BlockVector &x)
   {
-    found = examine(problem, x, parameters.acceptance);
-    if (!found.complaint.empty())
+    found = verify_state(problem, x, parameters.acceptance);
+    if (!found.errors.empty())
       throw NoConvergence("The converged state is wrong",
-                          found.complaint,
+                          found.errors,
                           FailureCause::rejected);
   }
 

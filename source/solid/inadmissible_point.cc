@@ -1,5 +1,7 @@
 #include <stickslip/solid/inadmissible_point.h>
 
+#include <stickslip/base/over_ranks.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -29,7 +31,7 @@ namespace stickslip
   bool
   InadmissiblePoint<dim>::exists(const MPI_Comm communicator) const
   {
-    return dealii::Utilities::MPI::max(happened ? 1 : 0, communicator) == 1;
+    return any_rank(happened, communicator);
   }
 
 

@@ -147,7 +147,7 @@ namespace
 
     /// Deals the points out to the ranks and finds them; all frames on all
     /// ranks.
-    std::vector<ContactFrame<dim>>
+    std::vector<Pairing<dim>>
     find(const std::vector<Probe<dim>> &probes)
     {
       const unsigned int n_ranks =
@@ -177,10 +177,10 @@ namespace
       for (unsigned int i = 0; i < probes.size(); ++i)
         if (i % n_ranks == rank)
           {
-            const ContactFrame<dim> frame = patch->find(probes[i].x,
-                                                        probes[i].slave_normal,
-                                                        ContactFrame<dim>(),
-                                                        PairingMemory());
+            const Pairing<dim> frame = patch->find(probes[i].x,
+                                                   probes[i].slave_normal,
+                                                   Pairing<dim>(),
+                                                   EdgeRetention());
             own.push_back(
               {i,
                frame.paired,
@@ -189,16 +189,16 @@ namespace
                frame.n,
                std::vector<bool>(frame.free.begin(), frame.free.end())});
           }
-      std::vector<ContactFrame<dim>> frames(probes.size());
+      std::vector<Pairing<dim>> frames(probes.size());
       for (const auto &of_rank :
            Utilities::MPI::all_gather(MPI_COMM_WORLD, own))
         for (const Found &found : of_rank)
           {
-            ContactFrame<dim> &frame = frames[found.index];
-            frame.paired             = found.paired;
-            frame.face_id            = found.id;
-            frame.xi                 = found.xi;
-            frame.n                  = found.n;
+            Pairing<dim> &frame = frames[found.index];
+            frame.paired        = found.paired;
+            frame.face_id       = found.id;
+            frame.xi            = found.xi;
+            frame.n             = found.n;
             std::copy(found.free.begin(), found.free.end(), frame.free.begin());
           }
       return frames;
@@ -323,7 +323,7 @@ namespace
 
   template <int dim>
   void
-  print_frame(const std::string &what, const ContactFrame<dim> &frame)
+  print_frame(const std::string &what, const Pairing<dim> &frame)
   {
     std::ostringstream text;
     text << what << ": ";
@@ -437,7 +437,7 @@ namespace
     std::string        text;
     for (const double x : {0.99, 1.003, 1.02})
       {
-        ContactFrame<dim> hint = found[0];
+        Pairing<dim> hint = found[0];
         roof.patch->relocate(hint);
         const auto probe = probe_at<dim>(x, 1.49, 0.3, 1.);
         const auto frame =

@@ -144,7 +144,10 @@ namespace
                  const bool         one,
                  Checks            &checks)
   {
-    const Setting fpm{{false, false, true}, Threshold::augmented, true, false};
+    const Setting fpm{{false, false, true},
+                      ThresholdKind::augmented,
+                      true,
+                      false};
     const double  a = asymmetry(problem.tangent(fpm));
     if (one || !problem.state.status.closed || problem.state.status.stick)
       checks.add("asymmetry of the FPM tangent", a);
@@ -155,7 +158,7 @@ namespace
       checks.add("residual minus gradient of the potential, frozen",
                  gradient_error(problem, fpm));
 
-    const Setting frictionless{{}, Threshold::none, false, false};
+    const Setting frictionless{{}, ThresholdKind::none, false, false};
     if (problem.place != Place::interior || smoothed)
       return;
     checks.add("asymmetry of the frictionless live tangent, facet normals",
@@ -169,9 +172,9 @@ namespace
 
   template <int dim>
   void
-  check_tangents(PointProblem<dim> &problem,
-                 const Threshold    threshold,
-                 Checks            &checks)
+  check_tangents(PointProblem<dim>  &problem,
+                 const ThresholdKind threshold,
+                 Checks             &checks)
   {
     const unsigned int m = problem.first_multiplier;
     const unsigned int s = dim * problem.shape.n_nodes();
@@ -202,13 +205,65 @@ namespace
                                    problem.residual(problem.q, setting)));
       }
     // the multiplier rows by themselves, and without friction
-    const Setting      frictionless{{}, Threshold::none, false, false};
+    const Setting      frictionless{{}, ThresholdKind::none, false, false};
     const auto         K      = problem.tangent(frictionless);
     const unsigned int n_dofs = K.m();
     checks.add("tangent: frictionless, live",
                relative_difference(K,
                                    differences(problem, frictionless),
                                    {0, s, m, n_dofs}));
+  }
+
+
+
+  /// A point that constraints restrain in one or all tangential directions: the
+  /// row of Lambda along them is s / r (Lambda_restrained - Lambda), and the
+  /// tangent is the derivative (with a frozen geometry: the restrained
+  /// directions are constants).
+  template <int dim>
+  void
+  check_restrained(PointProblem<dim> &problem, Checks &checks)
+  {
+    const ContactPoint<dim> before   = problem.point;
+    auto                   &point    = problem.point;
+    const Tensor<1, dim>    t_1      = point.pairing.tau[0];
+    point.restrained.Lambda[0]       = 0.15;
+    point.restrained.Lambda[dim - 2] = 0.25;
+
+    std::vector<std::vector<Tensor<1, dim>>> all = {{t_1}};
+    if (dim == 3)
+      all.push_back({t_1, point.pairing.tau[dim - 2]});
+    for (const auto &directions : all)
+      {
+        point.restrained.directions = directions;
+        for (const bool threshold_is_live : {true, false})
+          {
+            Setting setting;
+            setting.live                     = {false, threshold_is_live, true};
+            setting.closed                   = true;
+            const FullMatrix<double> tangent = problem.tangent(setting);
+            const auto              &state   = problem.state;
+            if (state.status.closed)
+              {
+                const Tensor<1, dim - 1> expected =
+                  state.response.threshold / point.regularization.r_t_law *
+                  (point.restrained.Lambda - state.multipliers.Lambda);
+                double error =
+                  std::abs(state.response.row_Lambda[0] - expected[0]);
+                if (directions.size() == dim - 1)
+                  error += (state.response.row_Lambda - expected).norm();
+                checks.add("restrained: error of the row of Lambda", error);
+                checks.add("restrained: slip that is left",
+                           std::abs(state.kinematics.d_t * t_1));
+              }
+            const unsigned int n = tangent.m();
+            checks.add("restrained: tangent",
+                       relative_difference(tangent,
+                                           differences(problem, setting),
+                                           {0, problem.first_multiplier, n}));
+          }
+      }
+    problem.point = before;
   }
 
 
@@ -226,7 +281,6 @@ namespace
     six.r_t_law          = 17.;
     one.r_n_status = one.r_n_augmentation = one.r_n_law = 7.;
     one.r_t_status = one.r_t_augmentation = one.r_t_law = 23.;
-    six.open_scale = one.open_scale = 1.3;
     Tensor<1, dim - 1> Lambda;
     Lambda[0]                             = 0.2;
     Lambda[dim - 2]                       = -0.3;
@@ -244,22 +298,25 @@ namespace
             if (dim == 2 && place == Place::edge)
               continue; // an edge of a segment is a point
             PointProblem<dim> problem(degree, smoothed, place);
-            problem.point.regularization = is_six ? six : one;
+            problem.point.regularization  = is_six ? six : one;
+            problem.point.scales.open_row = 1.3;
             problem.set_state(wanted);
             problem.residual(problem.q, Setting());
             const auto &status = problem.state.status;
-            const auto &frame  = problem.point.frame;
+            const auto &frame  = problem.point.pairing;
             if (!frame.paired || status.closed != wanted.closed ||
                 status.stick != wanted.stick ||
                 frame.is_interior() != (place == Place::interior) ||
                 (place == Place::edge && frame.free[0] == frame.free[dim - 2]))
               ++n_wrong;
             // the large case with one form of the threshold only
-            for (const Threshold threshold :
-                 {Threshold::augmented, Threshold::plain})
-              if (degree == 1 || (threshold == Threshold::augmented) == is_six)
+            for (const ThresholdKind threshold :
+                 {ThresholdKind::augmented, ThresholdKind::plain})
+              if (degree == 1 ||
+                  (threshold == ThresholdKind::augmented) == is_six)
                 check_tangents(problem, threshold, checks);
             check_symmetry(problem, smoothed, !is_six, checks);
+            check_restrained(problem, checks);
           }
     std::cout << dim << "D, degree " << degree << ", "
               << (smoothed ? "smoothed" : "facet")
@@ -399,8 +456,8 @@ namespace
         const auto projection = project_on_face(face, now, shape, slave.x, 0.);
         checks.add("sliding: projections that fail",
                    projection.found ? 0. : 1.);
-        MasterPoint<dim>  master, master_old;
-        ContactFrame<dim> frame;
+        MasterPoint<dim> master, master_old;
+        Pairing<dim>     frame;
         frame.xi   = projection.xi;
         frame.free = projection.free;
         evaluate_master_point(face, now, shape, frame.xi, master);
@@ -430,7 +487,6 @@ namespace
     ContactKinematics<3> kinematics;
     Multipliers<3>       multipliers;
     ContactResponse<3>   response;
-    const Regularization r;
     kinematics.n   = Tensor<1, 3>({0., 0., 1.});
     kinematics.tau = tangent_basis<3>(kinematics.n, Tensor<1, 3>({1., 0., 0.}));
     kinematics.D_d_n.fill(0.);
@@ -443,15 +499,11 @@ namespace
       }
     multipliers.Lambda = Tensor<1, 2>({0.3, 0.4});
     // closed without pressure: the Lambda row must not be empty
-    evaluate_contact_law(kinematics,
-                         multipliers,
-                         {true, true},
-                         Threshold::augmented,
-                         0.4,
-                         0.,
-                         r,
-                         true,
-                         response);
+    PointLaw law;
+    law.threshold.kind                 = ThresholdKind::augmented;
+    law.threshold.friction_coefficient = 0.4;
+    evaluate_contact_law(
+      law, kinematics, multipliers, {true, true}, true, response);
     using G = GeneralizedCoordinates<3>;
     checks.add("no pressure: deviation from the open Lambda row",
                (response.row_Lambda + multipliers.Lambda).norm() +
@@ -460,16 +512,11 @@ namespace
     checks.add("no pressure: traction", response.traction.norm());
 
     // no direction of slip
-    multipliers.Lambda = Tensor<1, 2>();
-    evaluate_contact_law(kinematics,
-                         multipliers,
-                         {true, false},
-                         Threshold::given,
-                         0.4,
-                         2.,
-                         r,
-                         true,
-                         response);
+    multipliers.Lambda  = Tensor<1, 2>();
+    law.threshold.kind  = ThresholdKind::given;
+    law.threshold.given = 2.;
+    evaluate_contact_law(
+      law, kinematics, multipliers, {true, false}, true, response);
     double sum = response.traction.norm() + response.row_Lambda.norm();
     for (unsigned int i = 0; i < 3; ++i)
       for (const double entry : response.D_traction[i])
@@ -518,6 +565,9 @@ main()
   checks.print("residual minus gradient of the potential, frictionless live",
                1e-7);
   checks.print("sum of the contact forces", 1e-13);
+  checks.print("restrained: error of the row of Lambda", 1e-13);
+  checks.print("restrained: slip that is left", 1e-13);
+  checks.print("restrained: tangent", 1e-7);
   for (const std::string what : {"slip of a stuck closed point",
                                  "change of the gap",
                                  "change of lambda_n and Lambda",

@@ -120,10 +120,10 @@ namespace contact_test
 
   struct Setting
   {
-    Live      live;
-    Threshold threshold = Threshold::augmented; // if live
-    bool      friction  = true;
-    bool      closed    = false; // if the status is frozen
+    Live          live;
+    ThresholdKind threshold = ThresholdKind::augmented; // if live
+    bool          friction  = true;
+    bool          closed    = false; // if the status is frozen
   };
 
 
@@ -152,7 +152,7 @@ namespace contact_test
       , master(make_master<dim>(shape, smoothed))
       , place(place)
     {
-      point.weight = 0.37;
+      point.geometry.weight = 0.37;
       Point<dim - 1> eta;
       eta[0] = 0.65;
       if (dim == 3)
@@ -160,7 +160,7 @@ namespace contact_test
       shape.evaluate(eta, slave_shape);
       for (unsigned int j = 0; j < shape.n_nodes(); ++j)
         {
-          point.direction_gradients.push_back(
+          point.geometry.direction_gradients.push_back(
             0.9 * slave_shape.gradient[j][0] +
             0.3 * slave_shape.gradient[j][dim - 2]);
           Tensor<2, dim - 1> rotation;
@@ -251,11 +251,11 @@ namespace contact_test
           for (unsigned int d = 0; d < dim - 1; ++d)
             q.push_back(wanted.Lambda[d] + 0.2 * random_number());
         }
-      point.frame = make_frame(q);
+      point.pairing = make_frame(q);
     }
 
     /// Projection and frame for the nodal values @p values.
-    ContactFrame<dim>
+    Pairing<dim>
     make_frame(const std::vector<double> &values)
     {
       read(values);
@@ -263,7 +263,7 @@ namespace contact_test
         place == Place::interior
           ? project_on_face(master, configuration, shape, slave.x, 0.01)
           : project_on_boundary_of_face(master, configuration, shape, slave.x);
-      ContactFrame<dim> frame;
+      Pairing<dim> frame;
       frame.paired = projection.found;
       frame.xi     = projection.xi;
       frame.free   = projection.free;
@@ -279,8 +279,8 @@ namespace contact_test
              const Setting             &setting,
              const bool                 differentiate)
     {
-      const ContactFrame<dim> frame =
-        setting.live.geometry ? make_frame(values) : point.frame;
+      const Pairing<dim> frame =
+        setting.live.geometry ? make_frame(values) : point.pairing;
       read(values);
       MasterPoint<dim> old;
       evaluate_master_point(
@@ -294,6 +294,10 @@ namespace contact_test
                                   setting.live.geometry,
                                   differentiate,
                                   state.kinematics);
+      const Tensor<2, dim> projector =
+        restrain_slip(point.restrained.directions,
+                      differentiate,
+                      state.kinematics);
       ContactElement<dim> element{point,
                                   slave_shape.value,
                                   slave_shape.value,
@@ -316,17 +320,28 @@ namespace contact_test
                                         state.kinematics.tau),
                  state.kinematics.d_t,
                  point.regularization);
-      evaluate_contact_law(state.kinematics,
+      PointLaw law;
+      law.r              = point.regularization;
+      law.open_row       = point.scales.open_row;
+      law.threshold.kind = !setting.friction        ? ThresholdKind::none
+                           : setting.live.threshold ? setting.threshold
+                                                    : ThresholdKind::given;
+      law.threshold.friction_coefficient = 0.4;
+      law.threshold.given                = 0.9;
+      evaluate_contact_law(law,
+                           state.kinematics,
                            state.multipliers,
                            state.status,
-                           !setting.friction        ? Threshold::none
-                           : setting.live.threshold ? setting.threshold
-                                                    : Threshold::given,
-                           0.4,
-                           0.9,
-                           point.regularization,
                            differentiate,
                            state.response);
+      restrain_Lambda(state.kinematics,
+                      state.multipliers,
+                      state.status,
+                      projector,
+                      point.restrained.Lambda,
+                      law.r.r_t_law,
+                      differentiate,
+                      state.response);
       return element;
     }
 
@@ -375,9 +390,9 @@ namespace contact_test
             phi += state.response.threshold / (2. * r.r_t_augmentation) *
                    ((state.status.stick ? g * g : 2. * g - 1.) - Lambda_square);
           else
-            phi -= 0.5 * r.open_scale * Lambda_square;
+            phi -= 0.5 * point.scales.open_row * Lambda_square;
         }
-      return point.weight * phi;
+      return point.geometry.weight * phi;
     }
 
     /// Number of the unknown in q of the local unknown @p i.
@@ -413,7 +428,7 @@ namespace contact_test
             const double x = values[j * dim + c];
             slave.x[c] += slave_shape.value[j] * x;
             slave.x_old[c] += slave_shape.value[j] * slave_old[j][c];
-            slave.direction[c] += point.direction_gradients[j] * x;
+            slave.direction[c] += point.geometry.direction_gradients[j] * x;
           }
       configuration.positions.resize(master.n_stencil_nodes());
       for (unsigned int j = 0; j < master.n_stencil_nodes(); ++j)

@@ -27,7 +27,7 @@ namespace
     std::cout << title << '\n';
     std::map<double, const ContactPoint<2> *> at;
     for (const auto &point : contact.points())
-      at.emplace(point.reference_position[0], &point);
+      at.emplace(point.geometry.reference_position[0], &point);
     for (const auto &[x, point] : at)
       {
         const Regularization &r = point->regularization;
@@ -138,9 +138,9 @@ namespace
     for (const auto &point : contact.points())
       {
         std::string text;
-        for (const auto &t : point.held_directions)
+        for (const auto &t : point.restrained.directions)
           text += std::abs(t[0]) > 1. - 1e-12 ? " x" : " other";
-        at[point.reference_position[0]] = text.empty() ? " none" : text;
+        at[point.geometry.reference_position[0]] = text.empty() ? " none" : text;
       }
     std::cout << "  " << title << ':';
     for (const auto &[x, text] : at)

@@ -242,11 +242,11 @@ namespace
       for (const auto &point : pair->points)
         {
           const auto &status = problem.contact().evaluate(*pair, point).status;
-          if (!point.frame.paired)
+          if (!point.pairing.paired)
             ++n[0];
           else
             ++n[!status.closed ? 1 : status.stick ? 2 : 3];
-          if (point.frame.paired && !point.frame.is_interior())
+          if (point.pairing.paired && !point.pairing.is_interior())
             ++n[4];
         }
     std::string text;

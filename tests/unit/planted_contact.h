@@ -60,7 +60,7 @@ namespace
     {
       problem.begin_step(1., problem.zero_state());
       problem.configure(problem.zero_state(), true);
-      note_partners(problem.contact());
+      record_initial_pairings(problem.contact());
       press([](const double) { return 0.; });
     }
 

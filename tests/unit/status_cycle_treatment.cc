@@ -241,7 +241,7 @@ namespace
     for (unsigned int i = 0; i < 6; ++i)
       {
         facet.point().observed           = closes;
-        facet.point().frame.face_id.face = i % 2;
+        facet.point().pairing.face_id.face = i % 2;
         result                           = facet.treatment.observe(i == 5);
       }
     report("from facet to facet", facet, result);

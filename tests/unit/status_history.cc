@@ -80,11 +80,11 @@ namespace
   void
   act(ContactPoint<dim> &point, const char letter, const FaceId &home)
   {
-    const char lower    = std::tolower(letter);
-    point.frame.paired  = lower != 'u';
-    point.frame.face_id = home;
-    point.frame.face_id.face += letter != lower;
-    point.frame.free.fill(true);
+    const char lower      = std::tolower(letter);
+    point.pairing.paired  = lower != 'u';
+    point.pairing.face_id = home;
+    point.pairing.face_id.face += letter != lower;
+    point.pairing.free.fill(true);
     point.observed = ObservedState<dim>();
     switch (lower)
       {
@@ -166,7 +166,9 @@ namespace
       {
         for (auto &point : points)
           act(point,
-              script(k, static_cast<unsigned int>(point.reference_position[0])),
+              script(k,
+                     static_cast<unsigned int>(
+                       point.geometry.reference_position[0])),
               FaceId());
         history.record(contact);
       }

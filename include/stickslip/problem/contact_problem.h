@@ -77,14 +77,27 @@ namespace stickslip
       is_configured = false;
     }
 
-    /// Renews what is constant during a Newton iteration from @p x: contact
-    /// scales, and the constraints of the increment.
+    /**
+     * @p x is an accepted iterate of Newton's method, from which the next
+     * increment starts. Renews what depends on accepted iterates: what contact
+     * points remember of their pairings, contact scales, constraints of the
+     * increment, nodal frames, restrained directions. Between two calls of this
+     * function residual() and assemble() are functions of their argument.
+     */
     void
     begin_iteration(const LA::BlockVector &x);
 
-    /// Residual norms at @p x with the live quantities recomputed.
+    /// Residual norms at @p x with the live quantities recomputed. A function of
+    /// @p x, of what is frozen, and of the accepted iterates (begin_iteration()).
     ResidualNorms
     residual(const LA::BlockVector &x);
+
+    /// Largest prescribed displacement that @p x lacks, over ranks.
+    double
+    unapplied_displacement(const LA::BlockVector &x) const
+    {
+      return constraints->unapplied_displacement_of(time, x.block(0));
+    }
 
     /// Internal plus contact forces of the last residual: at equilibrium the
     /// loads and the reactions.
@@ -224,9 +237,9 @@ namespace stickslip
     std::unique_ptr<ProblemSparsity<dim>>    sparsity;
     std::unique_ptr<SystemDescription<dim>>  system_description;
 
-    std::unique_ptr<ContactGeometry<dim>>    geometry;
-    std::unique_ptr<FrictionThreshold<dim>>  threshold;
-    std::unique_ptr<ContactStatusField<dim>> status;
+    std::unique_ptr<ContactGeometry<dim>>        geometry;
+    std::unique_ptr<FrictionThresholdField<dim>> threshold;
+    std::unique_ptr<ContactStatusField<dim>>     status;
 
     double          time = 0.;
     LA::BlockVector x_old;

@@ -60,7 +60,13 @@ namespace stickslip
       return increment_lines;
     }
 
-    /// Largest prescribed displacement that is not applied yet, over ranks.
+    /// Largest prescribed displacement that @p displacement (not ghosted) lacks,
+    /// over ranks, whatever the last update was for. Collective.
+    double
+    unapplied_displacement_of(const double      time,
+                              const LA::Vector &displacement) const;
+
+    /// As of the last update().
     double
     unapplied_displacement() const
     {
@@ -78,6 +84,14 @@ namespace stickslip
     Constraints increment_lines;
     double      unapplied     = 0.;
     bool        is_up_to_date = false;
+
+    /// Hanging nodes and periodicity, as this rank sees them.
+    Constraints
+    geometric_lines_seen() const;
+
+    double
+    largest_inhomogeneity(const Constraints &lines,
+                          const LA::Vector  &displacement) const;
 
     Constraints
     known_where_needed(const Constraints &seen) const;

@@ -13,7 +13,7 @@
 
 #include <stickslip/output/output_parameters.h>
 
-#include <stickslip/problem/acceptance.h>
+#include <stickslip/problem/verification.h>
 
 #include <stickslip/simulation/checkpoint_description.h>
 #include <stickslip/simulation/reference_checks.h>
@@ -45,7 +45,7 @@ namespace stickslip
     NamedList<ContactPairParameters>       contact_pairs;
     AlgorithmParameters                    algorithm;
     CyclingParameters                      cycling;
-    AcceptanceParameters                   acceptance;
+    VerificationParameters                 acceptance;
     LoadSteppingParameters                 load_stepping;
     LinearSolverParameters                 linear_solver;
     OutputParameters                       output;

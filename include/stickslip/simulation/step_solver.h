@@ -5,8 +5,8 @@
 
 #include <stickslip/linear_solvers/linear_solver.h>
 
-#include <stickslip/problem/acceptance.h>
 #include <stickslip/problem/contact_problem.h>
+#include <stickslip/problem/verification.h>
 
 #include <stickslip/simulation/case_parameters.h>
 #include <stickslip/simulation/convergence_log.h>
@@ -47,8 +47,8 @@ namespace stickslip
           LA::BlockVector       &x);
 
     /// What was found in the last solution.
-    const Acceptance &
-    acceptance() const
+    const Verification &
+    verification() const
     {
       return found;
     }
@@ -67,7 +67,7 @@ namespace stickslip
     ContactProblem<dim>  &problem;
     LinearSolver         &linear_solver;
     ConvergenceLog       &log;
-    Acceptance            found;
+    Verification          found;
     unsigned int          failed_iterations = 0; ///< of this step
 
     /// Brings the contact points into the state that @p attempt begins with.

@@ -41,12 +41,12 @@ namespace stickslip
   ContactGeometry<dim>::evaluate(const LA::BlockVector &x)
   {
     configure(x, true);
-    frames.clear();
+    pairings.clear();
     for (const auto &pair : contact.contact_pairs())
       {
-        frames.emplace_back();
+        pairings.emplace_back();
         for (const auto &point : pair->points)
-          frames.back().push_back(pair->find_frame(point));
+          pairings.back().push_back(pair->find_pairing(point));
       }
     evaluated_at = x.block(0);
   }
@@ -71,17 +71,22 @@ namespace stickslip
   void
   ContactGeometry<dim>::accept()
   {
-    for (unsigned int p = 0; p < frames.size(); ++p)
-      for (unsigned int i = 0; i < frames[p].size(); ++i)
-        contact.contact_pairs()[p]->points[i].set_frame(frames[p][i]);
+    for (unsigned int p = 0; p < pairings.size(); ++p)
+      for (unsigned int i = 0; i < pairings[p].size(); ++i)
+        {
+          ContactPoint<dim> &point = contact.contact_pairs()[p]->points[i];
+          point.pairing            = pairings[p][i];
+          point.hysteresis.accept_iterate(point.pairing);
+        }
     accepted_at = evaluated_at;
   }
 
 
 
   template <int dim>
-  FrictionThreshold<dim>::FrictionThreshold(ContactAssembler<dim>  &contact,
-                                            const ConfigureContact &configure)
+  FrictionThresholdField<dim>::FrictionThresholdField(
+    ContactAssembler<dim>  &contact,
+    const ConfigureContact &configure)
     : contact(contact)
     , configure(configure)
   {}
@@ -90,7 +95,7 @@ namespace stickslip
 
   template <int dim>
   std::string
-  FrictionThreshold<dim>::name() const
+  FrictionThresholdField<dim>::name() const
   {
     return "threshold";
   }
@@ -99,7 +104,7 @@ namespace stickslip
 
   template <int dim>
   void
-  FrictionThreshold<dim>::set_live(const bool live)
+  FrictionThresholdField<dim>::set_live(const bool live)
   {
     contact.live.threshold = live;
   }
@@ -108,7 +113,7 @@ namespace stickslip
 
   template <int dim>
   void
-  FrictionThreshold<dim>::evaluate(const LA::BlockVector &x)
+  FrictionThresholdField<dim>::evaluate(const LA::BlockVector &x)
   {
     configure(x, false);
     thresholds.clear();
@@ -124,13 +129,14 @@ namespace stickslip
 
   template <int dim>
   double
-  FrictionThreshold<dim>::change() const
+  FrictionThresholdField<dim>::change() const
   {
     double difference = 0., largest = 0.;
     for (unsigned int p = 0; p < thresholds.size(); ++p)
       for (unsigned int i = 0; i < thresholds[p].size(); ++i)
         {
-          const double frozen = contact.contact_pairs()[p]->points[i].threshold;
+          const double frozen =
+            contact.contact_pairs()[p]->points[i].frozen.threshold;
           difference =
             std::max(difference, std::abs(thresholds[p][i] - frozen));
           largest = std::max({largest, thresholds[p][i], frozen});
@@ -144,11 +150,12 @@ namespace stickslip
 
   template <int dim>
   void
-  FrictionThreshold<dim>::accept()
+  FrictionThresholdField<dim>::accept()
   {
     for (unsigned int p = 0; p < thresholds.size(); ++p)
       for (unsigned int i = 0; i < thresholds[p].size(); ++i)
-        contact.contact_pairs()[p]->points[i].threshold = thresholds[p][i];
+        contact.contact_pairs()[p]->points[i].frozen.threshold =
+          thresholds[p][i];
   }
 
 
@@ -203,7 +210,8 @@ namespace stickslip
     unsigned int flips = 0;
     for (unsigned int p = 0; p < closed.size(); ++p)
       for (unsigned int i = 0; i < closed[p].size(); ++i)
-        flips += closed[p][i] != contact.contact_pairs()[p]->points[i].closed;
+        flips +=
+          closed[p][i] != contact.contact_pairs()[p]->points[i].frozen.closed;
     return Utilities::MPI::sum(flips, contact.get_communicator());
   }
 
@@ -215,7 +223,7 @@ namespace stickslip
   {
     for (unsigned int p = 0; p < closed.size(); ++p)
       for (unsigned int i = 0; i < closed[p].size(); ++i)
-        contact.contact_pairs()[p]->points[i].closed = closed[p][i];
+        contact.contact_pairs()[p]->points[i].frozen.closed = closed[p][i];
   }
 
 
@@ -233,7 +241,7 @@ namespace stickslip
       for (const auto &point : pair->points)
         {
           ++seed;
-          if (point.closed)
+          if (point.frozen.closed)
             sum += mixed_bits(std::uint64_t(rank) << 32 | seed);
         }
     return Utilities::MPI::sum(sum, contact.get_communicator());
@@ -241,8 +249,8 @@ namespace stickslip
 
   template class ContactGeometry<2>;
   template class ContactGeometry<3>;
-  template class FrictionThreshold<2>;
-  template class FrictionThreshold<3>;
+  template class FrictionThresholdField<2>;
+  template class FrictionThresholdField<3>;
   template class ContactStatusField<2>;
   template class ContactStatusField<3>;
 } // namespace stickslip

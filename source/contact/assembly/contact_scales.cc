@@ -44,11 +44,11 @@ namespace stickslip
 
     template <int dim>
     ScaleUnits
-    units_of(const ContactPair<dim> &pair, const Regularization &r)
+    units_of(const ContactPair<dim> &pair, const ContactScales &scales)
     {
       const RegularizationScale scale = pair.parameters.regularization.scale;
       if (scale == RegularizationScale::automatic)
-        return {r.natural_r_n, r.natural_r_t};
+        return {scales.stiffness, scales.stiffness_over_threshold};
       if (scale == RegularizationScale::plain)
         return {};
       const double mu = pair.parameters.friction == Friction::Tresca
@@ -67,9 +67,10 @@ namespace stickslip
   contact_stiffness(const ContactPair<dim>  &pair,
                     const ContactPoint<dim> &point)
   {
-    double compliance = pair.slave_faces[point.slave_face].face.compliance;
-    if (point.frame.paired)
-      compliance += pair.patch->face(point.frame.face).compliance;
+    double compliance =
+      pair.slave_faces[point.geometry.slave_face].face.compliance;
+    if (point.pairing.paired)
+      compliance += pair.patch->face(point.pairing.face).compliance;
     // an unpaired rigid slave carries no force: any number will do
     return compliance > 0. ? 1. / compliance : 1.;
   }
@@ -91,15 +92,15 @@ namespace stickslip
         for (auto &point : pair->points)
           {
             const double height =
-              pair->slave_faces[point.slave_face].face.diameter;
-            point.regularization.negligible_threshold =
+              pair->slave_faces[point.geometry.slave_face].face.diameter;
+            point.scales.negligible_threshold =
               parameters.friction_coefficient * roundoff_strain *
               contact_stiffness(*pair, point) * height;
             const bool closed = contact.live_closed(*pair, point);
             double     s      = parameters.tresca_threshold;
             if (parameters.friction == Friction::Coulomb)
               s = closed ? contact.live_threshold(*pair, point) : 0.;
-            if (s <= point.regularization.negligible_threshold)
+            if (s <= point.scales.negligible_threshold)
               s = 0.;
             thresholds.push_back(s);
             largest = std::max(largest, s);
@@ -111,28 +112,29 @@ namespace stickslip
             ContactPoint<dim> &point = pair->points[i];
             const double       k     = contact_stiffness(*pair, point);
             const double       height =
-              pair->slave_faces[point.slave_face].face.diameter;
+              pair->slave_faces[point.geometry.slave_face].face.diameter;
             double s = std::max(thresholds[i], 0.01 * largest);
             if (s == 0.)
               s = std::max(parameters.friction_coefficient, 1e-3) *
                   expected_strain * k * height;
-            Regularization &r      = point.regularization;
-            r.natural_r_n          = k;
-            r.natural_r_t          = k / s;
-            const ScaleUnits units = units_of(*pair, r);
-            const double     n     = point.cure.r_n_factor * units.n;
-            const double     t     = point.cure.r_t_factor * units.t;
-            r.r_n_status           = n * factor.r_n_status;
-            r.r_n_augmentation     = n * factor.r_n_augmentation;
-            r.r_n_law              = n * factor.r_n_law;
-            r.r_t_status           = t * factor.r_t_status;
-            r.r_t_augmentation     = t * factor.r_t_augmentation;
-            r.r_t_law              = t * factor.r_t_law;
-            r.threshold_scale      = s;
-            r.initial_stiffness    = 0.;
+            Regularization &r               = point.regularization;
+            ContactScales  &scales          = point.scales;
+            scales.stiffness                = k;
+            scales.threshold                = s;
+            scales.stiffness_over_threshold = k / s;
+            const ScaleUnits units          = units_of(*pair, scales);
+            const double     n              = point.cure.r_n_factor * units.n;
+            const double     t              = point.cure.r_t_factor * units.t;
+            r.r_n_status                    = n * factor.r_n_status;
+            r.r_n_augmentation              = n * factor.r_n_augmentation;
+            r.r_n_law                       = n * factor.r_n_law;
+            r.r_t_status                    = t * factor.r_t_status;
+            r.r_t_augmentation              = t * factor.r_t_augmentation;
+            r.r_t_law                       = t * factor.r_t_law;
+            scales.initial_stick            = 0.;
             if (parameters.has_friction() && largest == 0.)
-              r.initial_stiffness = k * (pair->has_to_hold ? 1. : weak_stick);
-            r.open_scale = open_row_factor * s / r.r_t_law;
+              scales.initial_stick = k * (pair->has_to_hold ? 1. : weak_stick);
+            scales.open_row = open_row_factor * s / r.r_t_law;
           }
       }
   }

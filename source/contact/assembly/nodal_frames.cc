@@ -13,25 +13,26 @@ namespace stickslip
     {
       const auto &multipliers = contact.multipliers();
       LA::Vector  sum(multipliers.locally_owned(), contact.get_communicator());
-      for (const auto &pair : contact.contact_pairs())
-        if (pair->parameters.has_friction())
-          for (const auto &point : pair->points)
+      for_each_point(
+        contact, [&](const ContactPair<3> &pair, const ContactPoint<3> &point) {
+          if (!pair.parameters.has_friction() || !point.pairing.paired)
+            return;
+          const auto &dofs =
+            pair.slave_faces[point.geometry.slave_face].multiplier_dofs;
+          const auto &L =
+            pair.table.multiplier[point.geometry.quadrature_index];
+          for (unsigned int l = 0; l < L.size(); ++l)
             {
-              if (!point.frame.paired)
-                continue;
-              const auto &dofs =
-                pair->slave_faces[point.slave_face].multiplier_dofs;
-              const auto &L = pair->table.multiplier[point.quadrature_index];
-              for (unsigned int l = 0; l < L.size(); ++l)
-                {
-                  const Tensor<1, 3> axis =
-                    point.reference_rotations[l][0][0] * point.frame.tau[0] +
-                    point.reference_rotations[l][1][0] * point.frame.tau[1];
-                  for (unsigned int c = 0; c < 3; ++c)
-                    sum(dofs[l * 3 + c]) +=
-                      point.weight * std::abs(L[l]) * axis[c];
-                }
+              const Tensor<1, 3> axis =
+                point.geometry.reference_rotations[l][0][0] *
+                  point.pairing.tau[0] +
+                point.geometry.reference_rotations[l][1][0] *
+                  point.pairing.tau[1];
+              for (unsigned int c = 0; c < 3; ++c)
+                sum(dofs[l * 3 + c]) +=
+                  point.geometry.weight * std::abs(L[l]) * axis[c];
             }
+        });
       sum.compress(VectorOperation::add);
       LA::Vector ghosted(multipliers.locally_owned(),
                          multipliers.locally_relevant(),
@@ -50,36 +51,34 @@ namespace stickslip
     if constexpr (dim == 3)
       {
         const LA::Vector axes = mean_axes(contact);
-        for (const auto &pair : contact.contact_pairs())
-          if (pair->parameters.has_friction())
-            for (auto &point : pair->points)
+        for_each_point(
+          contact, [&axes](ContactPair<dim> &pair, ContactPoint<dim> &point) {
+            if (!pair.parameters.has_friction() || !point.pairing.paired)
+              return;
+            const auto &dofs =
+              pair.slave_faces[point.geometry.slave_face].multiplier_dofs;
+            const auto        &tau = point.pairing.tau;
+            const Tensor<1, 3> n   = point.pairing.n;
+            for (unsigned int l = 0; l < point.nodal_rotations.size(); ++l)
               {
-                if (!point.frame.paired)
+                Tensor<1, 3> axis;
+                for (unsigned int c = 0; c < 3; ++c)
+                  axis[c] = axes(dofs[l * 3 + c]);
+                Tensor<1, 3> t_1    = axis - (axis * n) * n;
+                const double length = t_1.norm();
+                // directions that cancel: the node is a sharp corner
+                if (!(length > 1e-3 * axis.norm()))
                   continue;
-                const auto &dofs =
-                  pair->slave_faces[point.slave_face].multiplier_dofs;
-                const auto        &tau = point.frame.tau;
-                const Tensor<1, 3> n   = point.frame.n;
-                for (unsigned int l = 0; l < point.nodal_rotations.size(); ++l)
+                t_1 /= length;
+                const Tensor<1, 3> t_2      = cross_product_3d(n, t_1);
+                auto              &rotation = point.nodal_rotations[l];
+                for (unsigned int a = 0; a < 2; ++a)
                   {
-                    Tensor<1, 3> axis;
-                    for (unsigned int c = 0; c < 3; ++c)
-                      axis[c] = axes(dofs[l * 3 + c]);
-                    Tensor<1, 3> t_1    = axis - (axis * n) * n;
-                    const double length = t_1.norm();
-                    // directions that cancel: the node is a sharp corner
-                    if (!(length > 1e-3 * axis.norm()))
-                      continue;
-                    t_1 /= length;
-                    const Tensor<1, 3> t_2      = cross_product_3d(n, t_1);
-                    auto              &rotation = point.nodal_rotations[l];
-                    for (unsigned int a = 0; a < 2; ++a)
-                      {
-                        rotation[a][0] = tau[a] * t_1;
-                        rotation[a][1] = tau[a] * t_2;
-                      }
+                    rotation[a][0] = tau[a] * t_1;
+                    rotation[a][1] = tau[a] * t_2;
                   }
               }
+          });
       }
     else
       (void)contact;

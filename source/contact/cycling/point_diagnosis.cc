@@ -23,17 +23,18 @@ namespace stickslip
     {
       const ContactEvaluation<dim> &state = contact.evaluate(pair, point);
       PointDiagnosis<dim>           result{};
-      result.name = name_of_face(pair.slave_faces[point.slave_face].face.id) +
-                    "/" + std::to_string(point.quadrature_index);
-      result.reference_position = Point<dim>(point.reference_position);
+      result.name =
+        name_of_face(pair.slave_faces[point.geometry.slave_face].face.id) +
+        "/" + std::to_string(point.geometry.quadrature_index);
+      result.reference_position = Point<dim>(point.geometry.reference_position);
       result.position           = Point<dim>(pair.slave_position(point).x);
       result.state              = observe(point, state).state;
-      result.was_paired         = point.accepted_frame.paired;
+      result.was_paired         = point.hysteresis.accepted().pairing.paired;
       result.has_threshold      = state.response.threshold > 0.;
-      if (!point.frame.paired)
+      if (!point.pairing.paired)
         return result;
       result.gap   = -state.kinematics.d_n;
-      result.facet = name_of_face(point.frame.face_id);
+      result.facet = name_of_face(point.pairing.face_id);
       if (state.status.closed)
         result.pressure = state.response.traction * state.kinematics.n;
       if (pair.parameters.has_friction())
@@ -70,7 +71,7 @@ namespace stickslip
               }
             diagnosis.treatment = history.treatment(p, i);
             diagnosis.keeps_facet =
-              point.pairing_memory().overlap_factor > 0. &&
+              point.hysteresis.retention().overlap_factor > 0. &&
               pair.parameters.facet_overlap > 0.;
             if (cycle != cycles.end() && cycle->pair == p && cycle->point == i)
               {

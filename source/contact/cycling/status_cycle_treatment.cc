@@ -46,8 +46,10 @@ namespace stickslip
     can_learn(const ContactPoint<dim>     &point,
               const ContactPairParameters &parameters)
     {
-      return (point.hops_between_facets() && parameters.facet_overlap > 0.) ||
-             (point.hops_over_the_end() && parameters.end_overlap > 0.);
+      return (point.hysteresis.switches_facets() &&
+              parameters.facet_overlap > 0.) ||
+             (point.hysteresis.switches_at_end() &&
+              parameters.end_overlap > 0.);
     }
   } // namespace
 
@@ -92,7 +94,7 @@ namespace stickslip
   {
     for (const auto &pair : contact.contact_pairs())
       for (auto &point : pair->points)
-        point.learns = false;
+        point.hysteresis.set_active(false);
   }
 
 
@@ -155,7 +157,7 @@ namespace stickslip
     const Regularization &r         = point.regularization;
     const bool            is_normal = cycle.kind == CycleKind::contact;
     const double          present   = is_normal ? r.r_n_status : r.r_t_status;
-    const double          stiffness = is_normal ? r.natural_r_n : r.natural_r_t;
+    const double          stiffness = is_normal ? point.scales.stiffness : point.scales.stiffness_over_threshold;
     const double          better = is_normal ? admissible_r_n(a, b, stiffness)
                                              : admissible_r_t(a, b, stiffness);
     // farther from the stiffness another r only makes another cycle
@@ -273,7 +275,8 @@ namespace stickslip
     bool any = false;
     for (const auto &pair : contact.contact_pairs())
       for (const auto &point : pair->points)
-        any = any || (!point.learns && can_learn(point, pair->parameters));
+        any = any || (!point.hysteresis.active() &&
+                      can_learn(point, pair->parameters));
     return Utilities::MPI::max(any ? 1 : 0, contact.get_communicator()) > 0;
   }
 
@@ -285,7 +288,7 @@ namespace stickslip
   {
     for (const auto &pair : contact.contact_pairs())
       for (auto &point : pair->points)
-        point.learns = true;
+        point.hysteresis.set_active(true);
   }
 
 
@@ -300,10 +303,12 @@ namespace stickslip
         for (const auto &point : pair->points)
           {
             const Regularization &r = point.regularization;
-            largest = std::max(largest, distance(r.natural_r_n, r.r_n_status));
+            largest =
+              std::max(largest, distance(point.scales.stiffness, r.r_n_status));
             if (pair->parameters.has_friction())
-              largest =
-                std::max(largest, distance(r.natural_r_t, r.r_t_status));
+              largest = std::max(largest,
+                                 distance(point.scales.stiffness_over_threshold,
+                                          r.r_t_status));
           }
     return Utilities::MPI::max(largest, contact.get_communicator()) >
            std::log(clear_change);
@@ -320,8 +325,9 @@ namespace stickslip
         for (auto &point : pair->points)
           {
             const Regularization &r = point.regularization;
-            point.cure.r_n_factor *= r.natural_r_n / r.r_n_status;
-            point.cure.r_t_factor *= r.natural_r_t / r.r_t_status;
+            point.cure.r_n_factor *= point.scales.stiffness / r.r_n_status;
+            point.cure.r_t_factor *=
+              point.scales.stiffness_over_threshold / r.r_t_status;
           }
   }
 

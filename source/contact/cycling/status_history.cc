@@ -215,8 +215,8 @@ namespace stickslip
           {
             const auto &point      = pair.points[i];
             points[p][i].name_hash = mixed_bits(
-              hash_of(pair.slave_faces[point.slave_face].face.id, p) ^
-              point.quadrature_index);
+              hash_of(pair.slave_faces[point.geometry.slave_face].face.id, p) ^
+              point.geometry.quadrature_index);
           }
       }
   }
@@ -237,9 +237,10 @@ namespace stickslip
         records.last_direction = direction;
         code |= records.is_backward ? backward : forward;
       }
-    if (point.frame.paired)
+    if (point.pairing.paired)
       code |= static_cast<Code>(
-        hash_of(point.frame.face_id, point.frame.is_interior()) << facet_shift);
+        hash_of(point.pairing.face_id, point.pairing.is_interior())
+        << facet_shift);
     return code;
   }
 

@@ -214,10 +214,8 @@ namespace stickslip
       }
     patch->fetch(boxes, u, margin);
     for (auto &point : points)
-      {
-        patch->relocate(point.frame);
-        patch->relocate(point.accepted_frame);
-      }
+      point.hysteresis.relocate(
+        [this](Pairing<dim> &pairing) { patch->relocate(pairing); });
     positions_at_fetch        = slave_now;
     master_positions_at_fetch = master_now;
     return true;
@@ -233,10 +231,11 @@ namespace stickslip
     for (auto &point : points)
       {
         point.gap_offset =
-          gap_offset.value(Point<dim>(point.reference_position), time);
+          gap_offset.value(Point<dim>(point.geometry.reference_position), time);
         if (error.str().empty() && !std::isfinite(point.gap_offset))
           error << "'" << path_of(name) << "/Gap offset' is not a number at ("
-                << point.reference_position << "), time " << time << ".";
+                << point.geometry.reference_position << "), time " << time
+                << ".";
       }
     throw_collectively(error.str(), communicator);
   }
@@ -260,21 +259,34 @@ namespace stickslip
 
 
   template <int dim>
-  ContactFrame<dim>
-  ContactPair<dim>::find_frame(const ContactPoint<dim> &point) const
+  Pairing<dim>
+  ContactPair<dim>::find_pairing(const ContactPoint<dim> &point) const
   {
-    const auto    &nodes = positions[point.slave_face];
+    const auto    &nodes = positions[point.geometry.slave_face];
     Tensor<1, dim> outward =
-      -slave_faces[point.slave_face].face.orientation *
+      -slave_faces[point.geometry.slave_face].face.orientation *
       surface_normal<dim>(surface_tangents<dim>(
-        table.displacement[point.quadrature_index].gradient, nodes));
+        table.displacement[point.geometry.quadrature_index].gradient, nodes));
     outward /= outward.norm();
-    const SlavePosition<dim> slave = slave_position(point);
-    ContactFrame<dim>        frame =
-      patch->find(slave.x, outward, point.frame, point.pairing_memory());
-    if (frame.paired)
-      frame.tau = tangent_basis<dim>(frame.n, slave.direction);
-    return frame;
+    const SlavePosition<dim> slave   = slave_position(point);
+    Pairing<dim>             pairing = patch->find(slave.x,
+                                       outward,
+                                       point.hysteresis.last(),
+                                       point.hysteresis.retention());
+    if (pairing.paired)
+      pairing.tau = tangent_basis<dim>(pairing.n, slave.direction);
+    return pairing;
+  }
+
+
+
+  template <int dim>
+  Pairing<dim>
+  ContactPair<dim>::last_pairing(const ContactPoint<dim> &point) const
+  {
+    Pairing<dim> pairing = point.hysteresis.last();
+    pairing.paired       = pairing.paired && patch->contains(pairing);
+    return pairing;
   }
 
 
@@ -284,14 +296,15 @@ namespace stickslip
   ContactPair<dim>::slave_position(const ContactPoint<dim> &point) const
   {
     SlavePosition<dim> slave;
-    const auto        &value = table.displacement[point.quadrature_index].value;
-    const auto        &now   = positions[point.slave_face];
-    const auto        &old   = old_positions[point.slave_face];
+    const auto        &value =
+      table.displacement[point.geometry.quadrature_index].value;
+    const auto &now = positions[point.geometry.slave_face];
+    const auto &old = old_positions[point.geometry.slave_face];
     for (unsigned int j = 0; j < now.size(); ++j)
       {
         slave.x += value[j] * now[j];
         slave.x_old += value[j] * old[j];
-        slave.direction += point.direction_gradients[j] * now[j];
+        slave.direction += point.geometry.direction_gradients[j] * now[j];
       }
     slave.gap_offset = point.gap_offset;
     return slave;
@@ -304,11 +317,13 @@ namespace stickslip
   ContactPair<dim>::area_ratio(const ContactPoint<dim> &point) const
   {
     const auto &reference =
-      slave_faces[point.slave_face].face.reference_positions;
+      slave_faces[point.geometry.slave_face].face.reference_positions;
     std::vector<Tensor<1, dim>> nodes(reference.begin(), reference.end());
-    const auto &gradient = table.displacement[point.quadrature_index].gradient;
+    const auto                 &gradient =
+      table.displacement[point.geometry.quadrature_index].gradient;
     return surface_normal<dim>(
-             surface_tangents<dim>(gradient, positions[point.slave_face]))
+             surface_tangents<dim>(gradient,
+                                   positions[point.geometry.slave_face]))
              .norm() /
            surface_normal<dim>(surface_tangents<dim>(gradient, nodes)).norm();
   }

@@ -219,12 +219,10 @@ namespace stickslip
 
   template <int dim>
   void
-  MasterPatch<dim>::relocate(ContactFrame<dim> &frame) const
+  MasterPatch<dim>::relocate(Pairing<dim> &pairing) const
   {
-    if (!frame.paired)
-      return;
-    frame.face   = index_of(frame.face_id);
-    frame.paired = frame.face < faces.size();
+    if (pairing.paired)
+      pairing.face = index_of(pairing.face_id);
   }
 
 
@@ -272,17 +270,17 @@ namespace stickslip
 
 
   template <int dim>
-  ContactFrame<dim>
+  Pairing<dim>
   MasterPatch<dim>::nearest(
     const Tensor<1, dim>                               &x_s,
     const Tensor<1, dim>                               &slave_normal,
     const std::vector<std::pair<double, unsigned int>> &candidates,
-    const PairingMemory                                &memory,
+    const EdgeRetention                                &retention,
     const bool                                          on_edges,
     double                                             &distance) const
   {
-    ContactFrame<dim> best;
-    MasterPoint<dim>  point;
+    Pairing<dim>     best;
+    MasterPoint<dim> point;
     distance = std::numeric_limits<double>::max();
     for (const auto &[box_distance, f] : candidates)
       {
@@ -296,10 +294,11 @@ namespace stickslip
                 faces[f], current[f], shape, x_s, inside_tolerance);
         // Over a convex edge the overshoot shrinks with the gap; beyond the end
         // of the surface it does not.
-        const double allowed = (tolerances.projection_tolerance +
-                                (memory.clings ? tolerances.end_overlap : 0.)) *
-                                 faces[f].diameter +
-                               0.8 * projection.distance;
+        const double allowed =
+          (tolerances.projection_tolerance +
+           (retention.beyond_end ? tolerances.end_overlap : 0.)) *
+            faces[f].diameter +
+          0.8 * projection.distance;
         if (!projection.found ||
             projection.distance > tolerances.search_distance ||
             projection.overshoot > allowed)
@@ -327,18 +326,18 @@ namespace stickslip
 
 
   template <int dim>
-  ContactFrame<dim>
-  MasterPatch<dim>::find(const Tensor<1, dim>    &x_s,
-                         const Tensor<1, dim>    &slave_normal,
-                         const ContactFrame<dim> &hint,
-                         const PairingMemory     &memory) const
+  Pairing<dim>
+  MasterPatch<dim>::find(const Tensor<1, dim> &x_s,
+                         const Tensor<1, dim> &slave_normal,
+                         const Pairing<dim>   &last,
+                         const EdgeRetention  &retention) const
   {
     if (faces.empty())
-      return ContactFrame<dim>();
-    const double overlap = memory.overlap_factor * tolerances.facet_overlap;
-    if (hint.paired && (hint.is_interior() || overlap > 0.))
+      return Pairing<dim>();
+    const double overlap = retention.overlap_factor * tolerances.facet_overlap;
+    if (last.paired && contains(last) && (last.is_interior() || overlap > 0.))
       {
-        const unsigned int f          = hint.face;
+        const unsigned int f          = last.face;
         const auto         projection = project_on_face(faces[f],
                                                 current[f],
                                                 shape,
@@ -346,14 +345,14 @@ namespace stickslip
                                                 std::clamp(overlap,
                                                            inside_tolerance,
                                                            largest_overlap));
-        // far away another face may be the nearer one, but not for ever
+        // far away another face may be the nearer one, not indefinitely
         const double farthest = (overlap > 0. ? 1. : 0.25) * faces[f].diameter;
         if (projection.found && projection.distance < farthest)
           {
             MasterPoint<dim> point;
             evaluate_master_point(
               faces[f], current[f], shape, projection.xi, point);
-            ContactFrame<dim> frame = hint;
+            Pairing<dim> frame = last;
             frame.free.fill(true);
             frame.xi = projection.xi;
             frame.n  = point.n;
@@ -366,19 +365,19 @@ namespace stickslip
     const unsigned int n_near = dim == 2 ? 6 : 16;
     auto               near   = candidates(x_s, n_near);
     double             distance, edge_distance;
-    ContactFrame<dim>  frame =
-      nearest(x_s, slave_normal, near, memory, false, distance);
+    Pairing<dim>       frame =
+      nearest(x_s, slave_normal, near, retention, false, distance);
     if (frame.paired && distance < 0.25 * faces[frame.face].diameter)
       return frame;
     if (!frame.paired && near.size() == n_near)
       {
         near  = candidates(x_s, faces.size());
-        frame = nearest(x_s, slave_normal, near, memory, false, distance);
+        frame = nearest(x_s, slave_normal, near, retention, false, distance);
       }
     // The point may hang over a convex edge close by although it projects on
     // some face far away.
-    const ContactFrame<dim> edge =
-      nearest(x_s, slave_normal, near, memory, true, edge_distance);
+    const Pairing<dim> edge =
+      nearest(x_s, slave_normal, near, retention, true, edge_distance);
     return edge.paired && edge_distance < 0.5 * distance ? edge : frame;
   }
 

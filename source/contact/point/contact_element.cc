@@ -26,7 +26,7 @@ namespace stickslip
           if constexpr (dim == 3)
             columns.push_back(
               {{G::W + c, N[j]},
-               {G::E + c, element.point.direction_gradients[j]}});
+               {G::E + c, element.point.geometry.direction_gradients[j]}});
           else
             columns.push_back({{G::W + c, N[j]}});
       if (element.master != nullptr)
@@ -123,14 +123,15 @@ namespace stickslip
     local                = 0.;
     for (unsigned int j = 0; j < N.size(); ++j)
       for (unsigned int c = 0; c < dim; ++c)
-        local[j * dim + c] = element.point.weight * N[j] * response.traction[c];
+        local[j * dim + c] =
+          element.point.geometry.weight * N[j] * response.traction[c];
     unsigned int first = N.size() * dim;
     if (element.master != nullptr)
       {
         const SurfaceFace<dim> &face = *element.master;
         for (unsigned int j = 0; j < face.n_nodes; ++j)
           for (unsigned int c = 0; c < dim; ++c)
-            local[first + j * dim + c] = -element.point.weight *
+            local[first + j * dim + c] = -element.point.geometry.weight *
                                          state.master.shape.value[j] *
                                          response.traction[c];
         first += face.n_stencil_nodes() * dim;
@@ -139,11 +140,11 @@ namespace stickslip
     for (unsigned int l = 0; l < L.size(); ++l)
       {
         local[first + l * n_comp] =
-          element.point.weight * L[l] * response.row_lambda;
+          element.point.geometry.weight * L[l] * response.row_lambda;
         for (unsigned int b = 0; b + 1 < n_comp; ++b)
           for (unsigned int a = 0; a < dim - 1; ++a)
             local[first + l * n_comp + 1 + b] +=
-              element.point.weight * L[l] *
+              element.point.geometry.weight * L[l] *
               element.point.nodal_rotations[l][a][b] * response.row_Lambda[a];
       }
   }
@@ -181,7 +182,8 @@ namespace stickslip
           }
         for (unsigned int j = 0; j < N.size(); ++j)
           for (unsigned int c = 0; c < dim; ++c)
-            local(j * dim + c, k) = element.point.weight * N[j] * D_t[c];
+            local(j * dim + c, k) =
+              element.point.geometry.weight * N[j] * D_t[c];
         unsigned int first = N.size() * dim;
         if (element.master != nullptr)
           {
@@ -191,7 +193,7 @@ namespace stickslip
             for (unsigned int j = 0; j < face.n_nodes; ++j)
               for (unsigned int c = 0; c < dim; ++c)
                 local(first + j * dim + c, k) =
-                  -element.point.weight *
+                  -element.point.geometry.weight *
                   (master_shape.value[j] * D_t[c] +
                    response.traction[c] * (master_shape.gradient[j] * D_xi));
             first += face.n_stencil_nodes() * dim;
@@ -199,11 +201,11 @@ namespace stickslip
         for (unsigned int l = 0; l < L.size(); ++l)
           {
             local(first + l * n_comp, k) =
-              element.point.weight * L[l] * D_row_lambda;
+              element.point.geometry.weight * L[l] * D_row_lambda;
             for (unsigned int b = 0; b + 1 < n_comp; ++b)
               for (unsigned int a = 0; a < dim - 1; ++a)
                 local(first + l * n_comp + 1 + b, k) +=
-                  element.point.weight * L[l] *
+                  element.point.geometry.weight * L[l] *
                   element.point.nodal_rotations[l][a][b] * D_row_Lambda[a];
           }
       }

@@ -226,7 +226,7 @@ namespace stickslip
 
   template <int dim>
   void
-  evaluate_contact_kinematics(const ContactFrame<dim>  &frame,
+  evaluate_contact_kinematics(const Pairing<dim>       &frame,
                               const MasterPoint<dim>   &master,
                               const MasterPoint<dim>   &master_old,
                               const SlavePosition<dim> &slave,
@@ -244,7 +244,6 @@ namespace stickslip
     kinematics.a           = master.a;
     kinematics.d_n         = n * r - slave.gap_offset;
     kinematics.motion      = w;
-    kinematics.is_held     = false;
     kinematics.d_t         = w - (w * n) * n;
     if (!differentiate)
       return;
@@ -302,68 +301,17 @@ namespace stickslip
 
 
 
-  template <int dim>
-  void
-  hold_slip(const std::vector<Tensor<1, dim>> &directions,
-            const bool                         differentiate,
-            ContactKinematics<dim>            &kinematics)
-  {
-    kinematics.is_held = !directions.empty();
-    if (directions.empty())
-      return;
-    const Tensor<1, dim> n = kinematics.n;
-    kinematics.held =
-      Tensor<2, dim>(unit_symmetric_tensor<dim>()) - outer_product(n, n);
-    VectorRows<dim> D_d_t = kinematics.D_d_t;
-    for (auto &row : kinematics.D_d_t)
-      row.fill(0.);
-    const Tensor<1, dim> d_t = kinematics.d_t;
-    kinematics.d_t           = Tensor<1, dim>();
-    if constexpr (dim == 3)
-      if (directions.size() == 1)
-        {
-          // slip is left along f = n x h / |n x h|
-          const Tensor<1, dim> &h      = directions[0];
-          Tensor<1, dim>        f      = cross_product_3d(n, h);
-          const double          length = f.norm();
-          f /= length;
-          kinematics.held -= outer_product(f, f);
-          kinematics.d_t = (f * d_t) * f;
-          if (!differentiate)
-            return;
-          for (unsigned int c = 0; c < D_d_t[0].size(); ++c)
-            {
-              Tensor<1, dim> D_n, D_slip;
-              for (unsigned int i = 0; i < dim; ++i)
-                {
-                  D_n[i]    = kinematics.D_n[i][c];
-                  D_slip[i] = D_d_t[i][c];
-                }
-              Tensor<1, dim> D_f = cross_product_3d(D_n, h);
-              D_f                = (D_f - (f * D_f) * f) / length;
-              const Tensor<1, dim> column =
-                (D_f * d_t + f * D_slip) * f + (f * d_t) * D_f;
-              for (unsigned int i = 0; i < dim; ++i)
-                kinematics.D_d_t[i][c] = column[i];
-            }
-        }
-    (void)differentiate;
-  }
-
 #define INSTANTIATE(dim)                                                \
   template std::array<Tensor<1, dim>, dim - 1> tangent_basis(           \
     const Tensor<1, dim> &, const Tensor<1, dim> &);                    \
-  template void evaluate_contact_kinematics(const ContactFrame<dim> &,  \
+  template void evaluate_contact_kinematics(const Pairing<dim> &,       \
                                             const MasterPoint<dim> &,   \
                                             const MasterPoint<dim> &,   \
                                             const SlavePosition<dim> &, \
                                             const bool,                 \
                                             const bool,                 \
                                             const bool,                 \
-                                            ContactKinematics<dim> &);  \
-  template void hold_slip(const std::vector<Tensor<1, dim>> &,          \
-                          const bool,                                   \
-                          ContactKinematics<dim> &);
+                                            ContactKinematics<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

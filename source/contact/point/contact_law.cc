@@ -31,7 +31,60 @@ namespace stickslip
       return {g / length,
               (I - outer_product(g, g) / (length * length)) / length};
     }
+
+
+
+    /// s at the point.
+    double
+    threshold_value(const FrictionThreshold &threshold,
+                    const double             lambda_n,
+                    const double             r_n,
+                    const double             d_n)
+    {
+      const double mu = threshold.friction_coefficient;
+      double       s  = threshold.given;
+      if (threshold.kind == ThresholdKind::augmented)
+        s = augmented_threshold(mu, lambda_n, r_n, d_n);
+      else if (threshold.kind == ThresholdKind::plain)
+        s = -mu * lambda_n;
+      // a pressure of roundoff would make Lambda as large as its inverse
+      return std::abs(s) <= threshold.negligible ? 0. : s;
+    }
+
+
+
+    /// ds, from the derivative of d_n.
+    template <int dim>
+    typename GeneralizedCoordinates<dim>::Row
+    threshold_derivative(const FrictionThreshold &threshold,
+                         const double             s,
+                         const double             r_n,
+                         const typename GeneralizedCoordinates<dim>::Row &D_d_n)
+    {
+      using G         = GeneralizedCoordinates<dim>;
+      const double mu = threshold.friction_coefficient;
+
+      typename G::Row D_s;
+      D_s.fill(0.);
+      if (threshold.kind == ThresholdKind::augmented && s > 0.)
+        for (unsigned int c = 0; c < G::n; ++c)
+          D_s[c] = -mu * ((c == G::lambda) - r_n * D_d_n[c]);
+      else if (threshold.kind == ThresholdKind::plain)
+        D_s[G::lambda] = -mu;
+      return D_s;
+    }
   } // namespace
+
+
+
+  double
+  augmented_threshold(const double friction_coefficient,
+                      const double lambda_n,
+                      const double r_n,
+                      const double d_n)
+  {
+    return std::max(-friction_coefficient * (lambda_n - r_n * d_n), 0.);
+  }
 
 
 
@@ -69,17 +122,15 @@ namespace stickslip
 
   template <int dim>
   void
-  evaluate_contact_law(const ContactKinematics<dim> &kinematics,
+  evaluate_contact_law(const PointLaw               &point_law,
+                       const ContactKinematics<dim> &kinematics,
                        const Multipliers<dim>       &multipliers,
                        const ContactStatus          &status,
-                       const Threshold               threshold,
-                       const double                  mu,
-                       const double                  given_threshold,
-                       const Regularization         &r,
                        const bool                    differentiate,
                        ContactResponse<dim>         &response)
   {
     using G             = GeneralizedCoordinates<dim>;
+    const auto  &r      = point_law.r;
     const auto  &k      = kinematics;
     const double lambda = multipliers.lambda_n;
     const double S_c    = status.closed ? 1. : 0.;
@@ -107,25 +158,19 @@ namespace stickslip
       }
     response.row_Lambda = Tensor<1, dim - 1>();
     response.threshold  = 0.;
-    if (threshold == Threshold::none)
+    if (point_law.threshold.kind == ThresholdKind::none)
       return;
 
     // friction part
-    double s = given_threshold;
-    if (threshold == Threshold::augmented)
-      s = std::max(-mu * pressure, 0.);
-    else if (threshold == Threshold::plain)
-      s = -mu * lambda;
-    // a pressure of roundoff would make Lambda as large as its inverse
-    if (std::abs(s) <= r.negligible_threshold)
-      s = 0.;
+    const double s =
+      threshold_value(point_law.threshold, lambda, r.r_n_augmentation, k.d_n);
     response.threshold = s;
     if (!status.closed || s == 0.)
       {
-        response.row_Lambda = -r.open_scale * multipliers.Lambda;
+        response.row_Lambda = -point_law.open_row * multipliers.Lambda;
         if (differentiate)
           for (unsigned int b = 0; b < dim - 1; ++b)
-            response.D_row_Lambda[b][G::Lambda + b] = -r.open_scale;
+            response.D_row_Lambda[b][G::Lambda + b] = -point_law.open_row;
         if (!status.closed)
           return;
       }
@@ -137,35 +182,27 @@ namespace stickslip
     const auto law =
       friction_direction(Lambda + r.r_t_law * k.d_t, status.stick);
     response.traction += s * force.T;
-    Tensor<1, dim> mismatch = law.T - Lambda;
-    if (k.is_held)
-      mismatch -=
-        k.held *
-        (law.T - tangential_vector<dim>(multipliers.kept_Lambda, k.tau));
+    const Tensor<1, dim> mismatch = law.T - Lambda;
     if (s != 0.)
       for (unsigned int b = 0; b < dim - 1; ++b)
         response.row_Lambda[b] = s / r.r_t_law * (k.tau[b] * mismatch);
     if (!differentiate)
       return;
 
+    response.D_threshold = threshold_derivative<dim>(point_law.threshold,
+                                                     s,
+                                                     r.r_n_augmentation,
+                                                     k.D_d_n);
     for (unsigned int c = 0; c < G::n; ++c)
       {
-        double D_s = 0.;
-        if (threshold == Threshold::augmented && s > 0.)
-          D_s = -mu * ((c == G::lambda) - r.r_n_augmentation * k.D_d_n[c]);
-        else if (threshold == Threshold::plain)
-          D_s = -mu * (c == G::lambda);
-
-        Tensor<1, dim> D_Lambda, D_kept, D_d_t;
+        const double   D_s = response.D_threshold[c];
+        Tensor<1, dim> D_Lambda, D_d_t;
         for (unsigned int i = 0; i < dim; ++i)
           {
             D_d_t[i] = k.D_d_t[i][c];
             for (unsigned int b = 0; b < dim - 1; ++b)
-              {
-                D_Lambda[i] += k.tau[b][i] * (c == G::Lambda + b) +
-                               multipliers.Lambda[b] * k.D_tau[b][i][c];
-                D_kept[i] += multipliers.kept_Lambda[b] * k.D_tau[b][i][c];
-              }
+              D_Lambda[i] += k.tau[b][i] * (c == G::Lambda + b) +
+                             multipliers.Lambda[b] * k.D_tau[b][i][c];
           }
         const Tensor<1, dim> D_T =
           force.A * (D_Lambda + r.r_t_augmentation * D_d_t);
@@ -174,9 +211,7 @@ namespace stickslip
         if (s == 0.)
           continue;
         const Tensor<1, dim> D_law = law.A * (D_Lambda + r.r_t_law * D_d_t);
-        Tensor<1, dim>       D_mismatch = D_law - D_Lambda;
-        if (k.is_held)
-          D_mismatch -= k.held * (D_law - D_kept);
+        const Tensor<1, dim> D_mismatch = D_law - D_Lambda;
         for (unsigned int b = 0; b < dim - 1; ++b)
           {
             double D_row =
@@ -194,13 +229,10 @@ namespace stickslip
                                    const Regularization &);                   \
   template Tensor<1, dim> tangential_vector<dim>(                             \
     const Tensor<1, dim - 1> &, const std::array<Tensor<1, dim>, dim - 1> &); \
-  template void evaluate_contact_law(const ContactKinematics<dim> &,          \
+  template void evaluate_contact_law(const PointLaw &,                        \
+                                     const ContactKinematics<dim> &,          \
                                      const Multipliers<dim> &,                \
                                      const ContactStatus &,                   \
-                                     const Threshold,                         \
-                                     const double,                            \
-                                     const double,                            \
-                                     const Regularization &,                  \
                                      const bool,                              \
                                      ContactResponse<dim> &);
   INSTANTIATE(2)

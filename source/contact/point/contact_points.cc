@@ -72,11 +72,11 @@ namespace stickslip
       const std::map<types::global_dof_index, Tensor<1, dim>> &nodal_normals)
     {
       const unsigned int n_multipliers = multiplier_shape.n_nodes();
-      point.direction_gradients.assign(face.n_nodes, 0.);
+      point.geometry.direction_gradients.assign(face.n_nodes, 0.);
       Tensor<2, dim - 1> identity;
       for (unsigned int d = 0; d < dim - 1; ++d)
         identity[d][d] = 1.;
-      point.reference_rotations.assign(n_multipliers, identity);
+      point.geometry.reference_rotations.assign(n_multipliers, identity);
       if constexpr (dim == 3)
         {
           std::vector<Tensor<1, dim>> nodes;
@@ -96,7 +96,7 @@ namespace stickslip
           const Tensor<1, 2> c =
             invert(metric) * Tensor<1, 2>({A[0] * e_1, A[1] * e_1});
           for (unsigned int j = 0; j < face.n_nodes; ++j)
-            point.direction_gradients[j] = c * gradient[j];
+            point.geometry.direction_gradients[j] = c * gradient[j];
 
           for (unsigned int l = 0; l < n_multipliers; ++l)
             {
@@ -107,10 +107,10 @@ namespace stickslip
               const Tensor<1, 3> T_2 = cross_product_3d(N_l, T_1);
               const Tensor<1, 3> t_1 = turn(T_1, N_l, N);
               const Tensor<1, 3> t_2 = turn(T_2, N_l, N);
-              point.reference_rotations[l][0][0] = e_1 * t_1;
-              point.reference_rotations[l][0][1] = e_1 * t_2;
-              point.reference_rotations[l][1][0] = e_2 * t_1;
-              point.reference_rotations[l][1][1] = e_2 * t_2;
+              point.geometry.reference_rotations[l][0][0] = e_1 * t_1;
+              point.geometry.reference_rotations[l][0][1] = e_1 * t_2;
+              point.geometry.reference_rotations[l][1][0] = e_2 * t_1;
+              point.geometry.reference_rotations[l][1][1] = e_2 * t_2;
             }
         }
       else
@@ -184,15 +184,15 @@ namespace stickslip
           if (!carries_multiplier)
             continue;
           ContactPoint<dim> point;
-          point.slave_face                  = f;
-          point.quadrature_index            = q;
+          point.geometry.slave_face         = f;
+          point.geometry.quadrature_index   = q;
           const auto                 &shape = table.displacement[q];
           std::vector<Tensor<1, dim>> nodes;
           for (unsigned int j = 0; j < slave_faces[f].face.n_nodes; ++j)
             nodes.emplace_back(slave_faces[f].face.reference_positions[j]);
           for (unsigned int j = 0; j < nodes.size(); ++j)
-            point.reference_position += shape.value[j] * nodes[j];
-          point.weight =
+            point.geometry.reference_position += shape.value[j] * nodes[j];
+          point.geometry.weight =
             quadrature.weight(q) *
             surface_normal<dim>(surface_tangents<dim>(shape.gradient, nodes))
               .norm();
@@ -202,7 +202,7 @@ namespace stickslip
                                multiplier_shape,
                                shape.gradient,
                                nodal_normals);
-          point.nodal_rotations = point.reference_rotations;
+          point.nodal_rotations = point.geometry.reference_rotations;
           points.push_back(point);
         }
     return points;

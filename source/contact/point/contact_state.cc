@@ -13,7 +13,7 @@ namespace stickslip
     const Tensor<1, dim> Lambda =
       tangential_vector<dim>(evaluation.multipliers.Lambda,
                              evaluation.kinematics.tau);
-    if (!point.frame.paired)
+    if (!point.pairing.paired)
       return result;
     result.values = {evaluation.multipliers.lambda_n,
                      evaluation.kinematics.d_n,

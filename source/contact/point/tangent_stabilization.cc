@@ -10,14 +10,14 @@ namespace stickslip
   assume_stick_before_first_pressure(const ContactPoint<dim> &point,
                                      ContactEvaluation<dim>  &state)
   {
-    const Regularization &r = point.regularization;
+    const double stiffness = point.scales.initial_stick;
     if (!state.status.closed || state.response.threshold > 0. ||
-        r.initial_stiffness == 0.)
+        stiffness == 0.)
       return;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int c = 0; c < GeneralizedCoordinates<dim>::n; ++c)
         state.response.D_traction[i][c] +=
-          r.initial_stiffness * state.kinematics.D_d_t[i][c];
+          stiffness * state.kinematics.D_d_t[i][c];
   }
 
 
@@ -36,7 +36,8 @@ namespace stickslip
     const std::vector<double> &L     = element.multiplier_shape;
     const unsigned int         n     = element.n_multiplier_components;
     const unsigned int         first = local.m() - L.size() * n;
-    const double scale = factor * point.weight * state.response.threshold /
+    const double               scale = factor * point.geometry.weight *
+                         state.response.threshold /
                          point.regularization.r_t_law;
     for (unsigned int l = 0; l < L.size(); ++l)
       for (unsigned int c = 1; c < n; ++c)

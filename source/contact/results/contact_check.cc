@@ -51,13 +51,14 @@ namespace stickslip
     has_fallen_through(const ContactPair<dim>  &pair,
                        const ContactPoint<dim> &point)
     {
-      if (point.frame.paired || !point.start.paired)
+      if (point.pairing.paired || !point.initial_pairing.paired)
         return false;
       const Tensor<1, dim> motion =
-        pair.slave_position(point).x - point.start.master_position;
-      const double depth = motion * point.start.n;
-      return depth > std::max(pair.slave_faces[point.slave_face].face.diameter,
-                              (motion - depth * point.start.n).norm());
+        pair.slave_position(point).x - point.initial_pairing.master_position;
+      const double depth = motion * point.initial_pairing.n;
+      return depth >
+             std::max(pair.slave_faces[point.geometry.slave_face].face.diameter,
+                      (motion - depth * point.initial_pairing.n).norm());
     }
 
 
@@ -106,7 +107,7 @@ namespace stickslip
       const double k        = contact_stiffness(pair, point);
       const double noticeable =
         noticeable_motion * k *
-        pair.slave_faces[point.slave_face].face.diameter;
+        pair.slave_faces[point.geometry.slave_face].face.diameter;
       raise(found.penetration, d_n);
       raise(found.tension, lambda_n);
       raise(maxima.pressure, -lambda_n);
@@ -120,14 +121,14 @@ namespace stickslip
       const Tensor<1, dim> Lambda =
         tangential_vector<dim>(state.multipliers.Lambda, state.kinematics.tau);
       const double slip = d_t.norm();
-      raise(found.disc, Lambda.norm() - 1.);
+      raise(found.friction_cone_excess, Lambda.norm() - 1.);
       if (state.status.stick)
         raise(found.stick_slip, slip);
       else if (slip > 0.)
         raise(found.direction, (Lambda - d_t / slip).norm());
       raise(maxima.threshold, s);
       const double error_t = friction_error(Lambda, d_t, s, k);
-      if (s > 0. && error_t > noticeable && point.held_directions.empty())
+      if (s > 0. && error_t > noticeable && point.restrained.directions.empty())
         raise(maxima.friction_error, error_t);
     }
 
@@ -141,7 +142,7 @@ namespace stickslip
     {
       std::vector<double *> entries{&found.penetration,
                                     &found.tension,
-                                    &found.disc,
+                                    &found.friction_cone_excess,
                                     &found.stick_slip,
                                     &found.direction};
       for (PairMaxima &pair : of_pairs)
@@ -165,25 +166,23 @@ namespace stickslip
 
   template <int dim>
   void
-  note_partners(ContactAssembler<dim> &contact)
+  record_initial_pairings(ContactAssembler<dim> &contact)
   {
-    for (const auto &pair : contact.contact_pairs())
-      for (auto &point : pair->points)
-        {
-          const ContactFrame<dim> frame =
-            contact.live.geometry ? point.frame : pair->find_frame(point);
-          point.start.paired = frame.paired;
-          if (!frame.paired)
-            continue;
-          MasterPoint<dim> master;
-          evaluate_master_point(pair->patch->face(frame.face),
-                                pair->patch->configuration(frame.face),
-                                pair->patch->face_shape(),
-                                frame.xi,
-                                master);
-          point.start.n               = frame.n;
-          point.start.master_position = master.x;
-        }
+    for_each_point(
+      contact, [](ContactPair<dim> &pair, ContactPoint<dim> &point) {
+        const Pairing<dim> pairing   = pair.find_pairing(point);
+        point.initial_pairing.paired = pairing.paired;
+        if (!pairing.paired)
+          return;
+        MasterPoint<dim> master;
+        evaluate_master_point(pair.patch->face(pairing.face),
+                              pair.patch->configuration(pairing.face),
+                              pair.patch->face_shape(),
+                              pairing.xi,
+                              master);
+        point.initial_pairing.n               = pairing.n;
+        point.initial_pairing.master_position = master.x;
+      });
   }
 
 
@@ -200,7 +199,7 @@ namespace stickslip
         for (const auto &point : pair.points)
           {
             found.fallen_through += has_fallen_through(pair, point);
-            if (point.frame.paired)
+            if (point.pairing.paired)
               look_at(contact, pair, point, found, of_pairs[p]);
           }
       }
@@ -218,8 +217,8 @@ namespace stickslip
     return found;
   }
 
-#define INSTANTIATE(dim)                                            \
-  template void             note_partners(ContactAssembler<dim> &); \
+#define INSTANTIATE(dim)                                                      \
+  template void             record_initial_pairings(ContactAssembler<dim> &); \
   template ContactViolation contact_violation(ContactAssembler<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

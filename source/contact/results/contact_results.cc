@@ -20,17 +20,17 @@ namespace stickslip
     {
       const ContactEvaluation<dim> &state = contact.evaluate(pair, point);
       ContactPointResult<dim>       result;
-      result.reference_position = Point<dim>(point.reference_position);
+      result.reference_position = Point<dim>(point.geometry.reference_position);
       result.position           = Point<dim>(pair.slave_position(point).x);
-      result.reference_weight   = point.weight;
+      result.reference_weight   = point.geometry.weight;
       result.area_ratio         = pair.area_ratio(point);
       result.shape_values =
-        pair.table.displacement[point.quadrature_index].value;
+        pair.table.displacement[point.geometry.quadrature_index].value;
       result.accumulated_slip = point.accumulated_slip;
       result.state            = observe(point, state).state;
-      result.gap              = point.frame.paired ? -state.kinematics.d_n : 0.;
-      result.normal           = -1. * state.kinematics.n;
-      result.pressure         = 0.;
+      result.gap      = point.pairing.paired ? -state.kinematics.d_n : 0.;
+      result.normal   = -1. * state.kinematics.n;
+      result.pressure = 0.;
       if (state.status.closed)
         {
           // the traction on the slave is minus t
@@ -76,20 +76,21 @@ namespace stickslip
         std::vector<std::vector<double>> weights(pair.slave_faces.size());
         for (const auto &point : pair.points)
           {
-            ContactFaceResult<dim> &face = results[first + point.slave_face];
+            ContactFaceResult<dim> &face =
+              results[first + point.geometry.slave_face];
             face.points.push_back(point_result(contact, pair, point));
             const auto                   &N = face.points.back().shape_values;
             const ContactEvaluation<dim> &state = contact.evaluate(pair, point);
             const Tensor<1, dim>          Lambda =
               tangential_vector<dim>(state.multipliers.Lambda,
                                      state.kinematics.tau);
-            auto &sums = weights[point.slave_face];
+            auto &sums = weights[point.geometry.slave_face];
             sums.resize(N.size(), 0.);
             for (unsigned int j = 0; j < N.size(); ++j)
               if (N[j] > 0.)
                 {
-                  face.Lambda[j] += N[j] * point.weight * Lambda;
-                  sums[j] += N[j] * point.weight;
+                  face.Lambda[j] += N[j] * point.geometry.weight * Lambda;
+                  sums[j] += N[j] * point.geometry.weight;
                 }
           }
         for (unsigned int f = 0; f < weights.size(); ++f)
@@ -124,7 +125,7 @@ namespace stickslip
             if (error > worst)
               {
                 worst = error;
-                where = point.reference_position;
+                where = point.geometry.reference_position;
               }
           }
         Utilities::MPI::sum(

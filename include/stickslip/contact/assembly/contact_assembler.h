@@ -1,29 +1,20 @@
 #ifndef stickslip_contact_assembly_contact_assembler_h
 #define stickslip_contact_assembly_contact_assembler_h
 
-#include <stickslip/contact/pairing/contact_pair.h>
-#include <stickslip/contact/point/contact_element.h>
+#include <stickslip/contact/assembly/point_evaluator.h>
 
 #include <memory>
 #include <vector>
 
 namespace stickslip
 {
-  /// Which contact quantities are recomputed in every residual.
-  struct Liveness
-  {
-    bool geometry  = true;
-    bool threshold = true;
-    bool status    = true;
-  };
-
   /**
    * Turns contact points into matrix and vector entries for one configuration
    * at a time: configure(), then as many evaluations as needed. Unknowns are
    * numbered [displacements, multipliers].
    */
   template <int dim>
-  class ContactAssembler
+  class ContactAssembler : public PointEvaluator<dim>
   {
   public:
     ContactAssembler(std::vector<std::unique_ptr<ContactPair<dim>>> pairs,
@@ -53,12 +44,23 @@ namespace stickslip
     bool
     update_patches(const LA::Vector &u, const bool force);
 
-    /// Sets the configuration: ghosted displacements now and at step start and
-    /// ghosted multipliers. Pairs all points if the geometry is live.
+    /**
+     * Sets the configuration: ghosted displacements now and at step start and
+     * ghosted multipliers. Pairs all points: anew if the geometry is live, else
+     * as they are frozen. The pairings, like all that is evaluated from then
+     * on, depend on the arguments and on what the points remember, not on what
+     * was configured before.
+     */
     void
     configure(const LA::Vector &u,
               const LA::Vector &u_old,
               const LA::Vector &lambda);
+
+    /// The present configuration is an accepted iterate: points remember its
+    /// pairings (PairingHysteresis), and those that are new are found again
+    /// with this memory. Nothing to do if the geometry is frozen.
+    void
+    accept_iterate();
 
     /// Adds, condensed with @p geometric, the contact forces to block 0 and the contact rows to block 1 of
     /// @p residual; @p row_scale collects the size that a contact row has for
@@ -76,32 +78,6 @@ namespace stickslip
                 const bool             linearize_geometry,
                 LA::BlockSparseMatrix &matrix,
                 LA::BlockVector       &rhs);
-
-    /// State of a point in the present configuration, without derivatives.
-    /// Valid until the next call.
-    const ContactEvaluation<dim> &
-    evaluate(const ContactPair<dim> &pair, const ContactPoint<dim> &point);
-
-    /// S_c from the present multipliers and gap, frozen or not.
-    bool
-    live_closed(const ContactPair<dim> &pair, const ContactPoint<dim> &point);
-
-    /// Coulomb threshold of a paired point from the present state, else 0.
-    double
-    live_threshold(const ContactPair<dim>  &pair,
-                   const ContactPoint<dim> &point);
-
-    /// lambda_n at displacement node @p j of a slave face.
-    double
-    lambda_n_at_node(const ContactPair<dim> &pair,
-                     const unsigned int      slave_face,
-                     const unsigned int      j) const;
-
-    /// Multipliers at a point from the ghosted @p values.
-    Multipliers<dim>
-    multipliers_at(const ContactPair<dim>  &pair,
-                   const ContactPoint<dim> &point,
-                   const LA::Vector        &values) const;
 
     /// Global dofs of a point: slave nodes, master stencil, multipliers.
     std::vector<types::global_dof_index>
@@ -123,42 +99,26 @@ namespace stickslip
       return communicator;
     }
 
-    Liveness live;
-
   private:
     std::vector<std::unique_ptr<ContactPair<dim>>> pairs;
     MultiplierNumbering                            numbering;
     types::global_dof_index                        n_displacements;
     IndexSet                                       relevant_displacements;
     MPI_Comm                                       communicator;
-    LA::Vector                                     lambda;
-    ContactEvaluation<dim>                         scratch;
-    MasterPoint<dim>                               old_master;
-
-    /// The point's data for contact_element.h. Points into the pair.
-    ContactElement<dim>
-    element_of(const ContactPair<dim>  &pair,
-               const ContactPoint<dim> &point) const;
-
-    void
-    evaluate_kinematics(const ContactPair<dim>  &pair,
-                        const ContactPoint<dim> &point,
-                        const bool               linearize_geometry,
-                        const bool               differentiate);
-
-    ContactStatus
-    present_status(const ContactPair<dim>  &pair,
-                   const ContactPoint<dim> &point) const;
-
-    void
-    evaluate_point(const ContactPair<dim>  &pair,
-                   const ContactPoint<dim> &point,
-                   const bool               linearize_geometry,
-                   const bool               differentiate);
-
-    Threshold
-    threshold_kind(const ContactPair<dim> &pair) const;
   };
+
+
+
+  /// Calls @p visit(pair, point) for all contact points of this rank, in the
+  /// order of pairs and points.
+  template <int dim, typename Visitor>
+  void
+  for_each_point(const ContactAssembler<dim> &contact, const Visitor &visit)
+  {
+    for (const auto &pair : contact.contact_pairs())
+      for (auto &point : pair->points)
+        visit(*pair, point);
+  }
 } // namespace stickslip
 
 #endif

@@ -45,11 +45,11 @@ namespace stickslip
     accept() override;
 
   private:
-    ContactAssembler<dim>                      &contact;
-    ConfigureContact                            configure;
-    std::vector<std::vector<ContactFrame<dim>>> frames; ///< [pair][point]
-    LA::Vector                                  evaluated_at;
-    LA::Vector                                  accepted_at;
+    ContactAssembler<dim>                 &contact;
+    ConfigureContact                       configure;
+    std::vector<std::vector<Pairing<dim>>> pairings; ///< [pair][point]
+    LA::Vector                             evaluated_at;
+    LA::Vector                             accepted_at;
   };
 
 
@@ -59,11 +59,11 @@ namespace stickslip
    * Res(seuil), the largest change over the largest threshold.
    */
   template <int dim>
-  class FrictionThreshold : public FreezableQuantity
+  class FrictionThresholdField : public FreezableQuantity
   {
   public:
-    FrictionThreshold(ContactAssembler<dim>  &contact,
-                      const ConfigureContact &configure);
+    FrictionThresholdField(ContactAssembler<dim>  &contact,
+                           const ConfigureContact &configure);
 
     std::string
     name() const override;

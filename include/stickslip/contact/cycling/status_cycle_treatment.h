@@ -106,7 +106,8 @@ namespace stickslip
     bool
     learning_would_help() const;
 
-    /// From now on all points learn in this step (ContactPoint::learns).
+    /// From now on all points learn in this step
+    /// (PairingHysteresis::set_active).
     void
     let_points_learn();
 

@@ -74,9 +74,16 @@ namespace stickslip
     void
     update_configuration(const LA::Vector &u, const LA::Vector &u_old);
 
-    /// Pairing and frame of a point in the present configuration.
-    ContactFrame<dim>
-    find_frame(const ContactPoint<dim> &point) const;
+    /// Pairing and local frame of a point in the present configuration. Starts
+    /// from what the point remembers (PairingHysteresis), not from its present
+    /// pairing.
+    Pairing<dim>
+    find_pairing(const ContactPoint<dim> &point) const;
+
+    /// The pairing that the point remembers; unpaired if its face is not in the
+    /// patch.
+    Pairing<dim>
+    last_pairing(const ContactPoint<dim> &point) const;
 
     SlavePosition<dim>
     slave_position(const ContactPoint<dim> &point) const;

@@ -1,7 +1,7 @@
 #ifndef stickslip_contact_pairing_master_patch_h
 #define stickslip_contact_pairing_master_patch_h
 
-#include <stickslip/contact/point/contact_kinematics.h>
+#include <stickslip/contact/point/pairing_hysteresis.h>
 #include <stickslip/contact/surface/normal_projection.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -70,23 +70,29 @@ namespace stickslip
      * Pairs a slave point: the nearest face on which it projects, else the
      * nearest edge or corner. @p slave_normal is the slave's outward normal;
      * only master facets that look at it are considered. Does not depend on the
-     * order of faces. A face that the point is paired with already (@p hint)
-     * is kept while the projection is at most `facet_overlap` times the factor
-     * of @p memory outside of it, and a point that clings keeps a partner up to
-     * `end_overlap` beyond the end of the surface: without that a point at a
-     * kink or at the end changes its partner for ever. The tangent basis is not
-     * set.
+     * order of faces. The face of @p last, the pairing to start from, is kept
+     * while the projection is at most `facet_overlap` times the factor of
+     * @p retention outside of it, and with EdgeRetention::beyond_end the point
+     * has a partner up to `end_overlap` beyond the end of the surface: without
+     * that a point at a kink or at the end may change its partner indefinitely.
+     * The tangent basis is not set.
      */
-    ContactFrame<dim>
-    find(const Tensor<1, dim>    &x_s,
-         const Tensor<1, dim>    &slave_normal,
-         const ContactFrame<dim> &hint,
-         const PairingMemory     &memory) const;
+    Pairing<dim>
+    find(const Tensor<1, dim> &x_s,
+         const Tensor<1, dim> &slave_normal,
+         const Pairing<dim>   &last,
+         const EdgeRetention  &retention) const;
 
-    /// Brings a frame made before fetch() to the present patch; unpaired if
-    /// its face is not there any more.
+    /// Sets the number of the face of a pairing made before fetch().
     void
-    relocate(ContactFrame<dim> &frame) const;
+    relocate(Pairing<dim> &pairing) const;
+
+    /// False if the face of a pairing that was relocated is not in the patch.
+    bool
+    contains(const Pairing<dim> &pairing) const
+    {
+      return pairing.face < faces.size();
+    }
 
     /// Index of a face of the patch by its name; the number of faces if it is
     /// not there.
@@ -140,11 +146,11 @@ namespace stickslip
     candidates(const Tensor<1, dim> &x_s, const unsigned int at_most) const;
 
     /// Nearest of the candidates on which x_s projects, inside or on an edge.
-    ContactFrame<dim>
+    Pairing<dim>
     nearest(const Tensor<1, dim>                               &x_s,
             const Tensor<1, dim>                               &slave_normal,
             const std::vector<std::pair<double, unsigned int>> &candidates,
-            const PairingMemory                                &memory,
+            const EdgeRetention                                &retention,
             const bool                                          on_edges,
             double                                             &distance) const;
   };

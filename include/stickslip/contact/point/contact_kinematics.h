@@ -1,6 +1,8 @@
 #ifndef stickslip_contact_point_contact_kinematics_h
 #define stickslip_contact_point_contact_kinematics_h
 
+#include <stickslip/contact/point/pairing.h>
+
 #include <stickslip/contact/surface/master_geometry.h>
 
 #include <array>
@@ -32,36 +34,6 @@ namespace stickslip
     using Row = std::array<double, n>;
   };
 
-  /// Pairing and local frame of a contact point: what a frozen geometry keeps.
-  template <int dim>
-  struct ContactFrame
-  {
-    bool                                paired = false;
-    unsigned int                        face   = 0; ///< in the local patch
-    FaceId                              face_id;    ///< the same, everywhere
-    Point<dim - 1>                      xi;
-    std::array<bool, dim - 1>           free{};
-    Tensor<1, dim>                      n; ///< into the master
-    std::array<Tensor<1, dim>, dim - 1> tau;
-
-    /// False on an edge or a corner of the face.
-    bool
-    is_interior() const
-    {
-      for (const bool direction_is_free : free)
-        if (!direction_is_free)
-          return false;
-      return true;
-    }
-  };
-
-  /// What a contact point's past means for its next pairing.
-  struct PairingMemory
-  {
-    double overlap_factor = 0.; ///< of the facet overlap; 0: the facet may go
-    bool   clings = false; ///< to the end of the master surface, when beyond it
-  };
-
   /// The slave's side of a contact point, now and at the start of the step.
   template <int dim>
   struct SlavePosition
@@ -84,9 +56,7 @@ namespace stickslip
     double         d_n = 0.; ///< <= 0 open
     Tensor<1, dim> d_t;      ///< slip of the step, slave - master
     Tensor<1, dim> motion;   ///< w: the step's relative motion, slave - master
-    /// Projector on tangential directions without slip (see hold_slip()).
-    Tensor<2, dim>                      held;
-    bool                                is_held = false; ///< held is not 0
+
     Tensor<1, dim>                      n;
     std::array<Tensor<1, dim>, dim - 1> tau;
     std::array<Tensor<1, dim>, dim - 1> a;
@@ -116,7 +86,7 @@ namespace stickslip
    */
   template <int dim>
   void
-  evaluate_contact_kinematics(const ContactFrame<dim>  &frame,
+  evaluate_contact_kinematics(const Pairing<dim>       &frame,
                               const MasterPoint<dim>   &master,
                               const MasterPoint<dim>   &master_old,
                               const SlavePosition<dim> &slave,
@@ -124,17 +94,6 @@ namespace stickslip
                               const bool                geometry_is_live,
                               const bool                differentiate,
                               ContactKinematics<dim>   &kinematics);
-
-  /**
-   * Takes away the slip along the orthonormal @p directions (at most dim - 1,
-   * none of them normal), projected on the tangent plane; the derivative, too,
-   * if @p differentiate.
-   */
-  template <int dim>
-  void
-  hold_slip(const std::vector<Tensor<1, dim>> &directions,
-            const bool                         differentiate,
-            ContactKinematics<dim>            &kinematics);
 } // namespace stickslip
 
 #endif

@@ -16,24 +16,35 @@ namespace stickslip
     double r_t_status       = 1.; ///< r_t^{Sf} [1/length]
     double r_t_augmentation = 1.; ///< r_t^{A}
     double r_t_law          = 1.; ///< r_t^{Coul}
-    /// Tangential stiffness in the tangent as long as no point has a threshold
-    /// [stress/length].
-    double initial_stiffness = 0.;
-    double open_scale = 1.; ///< c of the open Lambda rows [stress length]
-    double negligible_threshold = 0.; ///< s up to here is roundoff: no friction
-    double threshold_scale      = 1.; ///< s or the least one that r_t follows
-    double natural_r_n          = 1.; ///< stiffness k of the contact
-    double natural_r_t          = 1.; ///< k over the threshold scale
   };
 
   /// Where the friction threshold s comes from.
-  enum class Threshold
+  enum class ThresholdKind
   {
     none,      ///< frictionless: no Lambda unknowns
     given,     ///< frozen or Tresca: a number
     augmented, ///< -mu (lambda_n - r_n^A d_n), live
     plain      ///< -mu lambda_n, live
   };
+
+  /// The friction threshold of a point.
+  struct FrictionThreshold
+  {
+    ThresholdKind kind                 = ThresholdKind::none;
+    double        friction_coefficient = 0.; ///< mu of the live kinds
+    double        given                = 0.; ///< s [stress]
+    double negligible = 0.; ///< s up to here is roundoff: no friction [stress]
+  };
+
+  /// What the law at a point depends on besides unknowns and kinematics.
+  struct PointLaw
+  {
+    Regularization    r;
+    FrictionThreshold threshold;
+    double            open_row = 1.; ///< c of open Lambda rows [stress length]
+  };
+
+
 
   /// Contact status of a point: level sets S_c and S_f (paper, eqs. 8 and 9).
   struct ContactStatus
@@ -48,8 +59,6 @@ namespace stickslip
   {
     double             lambda_n = 0.;
     Tensor<1, dim - 1> Lambda; ///< components on the tangent basis
-    /// What Lambda is along held directions (ContactKinematics::held).
-    Tensor<1, dim - 1> kept_Lambda;
   };
 
   /**
@@ -69,8 +78,16 @@ namespace stickslip
 
     std::array<Row, dim>     D_traction;
     Row                      D_row_lambda;
+    Row                      D_threshold;
     std::array<Row, dim - 1> D_row_Lambda;
   };
+
+  /// Coulomb's threshold mu max(-(lambda_n - r_n d_n), 0) [stress].
+  double
+  augmented_threshold(const double friction_coefficient,
+                      const double lambda_n,
+                      const double r_n,
+                      const double d_n);
 
   /// S_c = [lambda_n - r_n^{Sc} d_n <= 0].
   bool
@@ -97,22 +114,18 @@ namespace stickslip
    *   row_Lambda =  S_c s / r_t^C tau . (T(r_t^C) - Lambda) - c (1 - S_c)
    * Lambda
    *
-   * with T(r) = Lambda + r d_t in stick and its unit vector in slip. @p mu is
-   * the friction coefficient for the live thresholds, @p given_threshold the
-   * number s for Threshold::given. Along held directions the Lambda row is
-   * Lambda = kept_Lambda instead. Where s = 0 in contact the Lambda row is the
-   * open one, so that it is never empty. The derivative (formulation 3.4) is
-   * filled if @p differentiate; it is the exact one for fixed statuses.
+   * with T(r) = Lambda + r d_t in stick and its unit vector in slip. Where
+   * s = 0 in contact the Lambda row is the open one, so that it is never empty.
+   * The derivative (formulation 3.4) is filled if @p differentiate; it is the
+   * exact one for fixed statuses. Constraints that restrain the slip act on the
+   * kinematics before and on the response after (restrained_slip.h).
    */
   template <int dim>
   void
-  evaluate_contact_law(const ContactKinematics<dim> &kinematics,
+  evaluate_contact_law(const PointLaw               &law,
+                       const ContactKinematics<dim> &kinematics,
                        const Multipliers<dim>       &multipliers,
                        const ContactStatus          &status,
-                       const Threshold               threshold,
-                       const double                  mu,
-                       const double                  given_threshold,
-                       const Regularization         &r,
                        const bool                    differentiate,
                        ContactResponse<dim>         &response);
 } // namespace stickslip

@@ -21,9 +21,9 @@ namespace stickslip
    */
   struct ContactViolation
   {
-    double penetration  = 0.; ///< [length]
-    double tension      = 0.; ///< [stress]
-    double disc         = 0.; ///< |Lambda| - 1
+    double penetration          = 0.; ///< [length]
+    double tension              = 0.; ///< [stress]
+    double friction_cone_excess = 0.; ///< |Lambda| - 1
     double stick_slip   = 0.; ///< slip of the step at sticking points [length]
     double direction    = 0.; ///< |Lambda - direction of slip| where it slips
     double normal_law   = 0.;
@@ -37,7 +37,7 @@ namespace stickslip
   /// present configuration, that of the beginning of a step.
   template <int dim>
   void
-  note_partners(ContactAssembler<dim> &contact);
+  record_initial_pairings(ContactAssembler<dim> &contact);
 
   /**
    * Checks the present configuration against the contact law at every contact

@@ -1,12 +1,10 @@
-#include <stickslip/problem/acceptance.h>
+#include <stickslip/problem/verification.h>
 
 #include <stickslip/base/expert_parameter.h>
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 #include <sstream>
-#include <vector>
 
 namespace stickslip
 {
@@ -18,8 +16,8 @@ namespace stickslip
 
 
     std::string
-    complaint_about(const Acceptance           &found,
-                    const AcceptanceParameters &parameters)
+    errors_of(const Verification           &found,
+              const VerificationParameters &parameters)
     {
       std::ostringstream text;
       const auto         require = [&text](const double      value,
@@ -55,56 +53,12 @@ namespace stickslip
              << " points have passed through the surface that they were on";
       return text.str();
     }
-
-
-
-    /// The pairing of all points, to be brought back later.
-    template <int dim>
-    class FrozenFrames
-    {
-    public:
-      explicit FrozenFrames(ContactAssembler<dim> &contact)
-        : contact(contact)
-      {
-        for (const auto &pair : contact.contact_pairs())
-          for (const auto &point : pair->points)
-            frames.push_back(
-              {point.frame, point.facet_changes, point.pairing_changes});
-      }
-
-      void
-      restore() const
-      {
-        auto saved = frames.begin();
-        for (const auto &pair : contact.contact_pairs())
-          for (auto &point : pair->points)
-            {
-              point.frame           = saved->frame;
-              point.facet_changes   = saved->facet_changes;
-              point.pairing_changes = saved->pairing_changes;
-              ++saved;
-              // the patch may be another one by now
-              pair->patch->relocate(point.frame);
-            }
-      }
-
-    private:
-      struct Saved
-      {
-        ContactFrame<dim> frame;
-        unsigned int      facet_changes;
-        unsigned int      pairing_changes;
-      };
-
-      ContactAssembler<dim> &contact;
-      std::vector<Saved>     frames;
-    };
   } // namespace
 
 
 
   void
-  AcceptanceParameters::add_parameters(ParameterHandler &prm)
+  VerificationParameters::add_parameters(ParameterHandler &prm)
   {
     prm.add_parameter(
       "Residual tolerance",
@@ -130,45 +84,36 @@ namespace stickslip
 
 
   template <int dim>
-  Acceptance
-  examine(ContactProblem<dim>        &problem,
-          const LA::BlockVector      &x,
-          const AcceptanceParameters &parameters)
+  Verification
+  verify_state(ContactProblem<dim>          &problem,
+               const LA::BlockVector        &x,
+               const VerificationParameters &parameters)
   {
-    ContactAssembler<dim> &contact = problem.contact();
-    const Liveness         live    = contact.live;
-    const SolveCounts      counts  = problem.counts;
-
-    std::optional<FrozenFrames<dim>> frozen;
-    if (!(live.geometry && live.threshold && live.status))
-      {
-        frozen.emplace(contact);
-        contact.live = Liveness();
-        problem.forget_state();
-      }
-    Acceptance found;
-    found.residual = problem.residual(x);
-    found.residual.prescribed /=
+    const SolveCounts counts = problem.counts;
+    Verification      found;
+    {
+      const LiveScope<dim> nothing_frozen(problem.contact());
+      found.residual  = problem.residual(x);
+      found.violation = contact_violation(problem.contact());
+    }
+    found.residual.prescribed =
+      problem.unapplied_displacement(x) /
       std::max(x.block(0).linfty_norm(), std::numeric_limits<double>::min());
-    found.violation = contact_violation(contact);
-    found.complaint = complaint_about(found, parameters);
-
+    found.errors = errors_of(found, parameters);
+    // back to the pairings of the algorithm
+    problem.configure(x, false);
     problem.counts = counts;
-    if (frozen)
-      {
-        contact.live = live;
-        frozen->restore();
-        problem.forget_state();
-      }
     return found;
   }
 
-  template Acceptance
-  examine(ContactProblem<2> &,
-          const LA::BlockVector &,
-          const AcceptanceParameters &);
-  template Acceptance
-  examine(ContactProblem<3> &,
-          const LA::BlockVector &,
-          const AcceptanceParameters &);
+
+
+  template Verification
+  verify_state(ContactProblem<2> &,
+               const LA::BlockVector &,
+               const VerificationParameters &);
+  template Verification
+  verify_state(ContactProblem<3> &,
+               const LA::BlockVector &,
+               const VerificationParameters &);
 } // namespace stickslip

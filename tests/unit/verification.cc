@@ -4,7 +4,7 @@
 #include "case_problem.h"
 #include "print.h"
 
-#include <stickslip/problem/acceptance.h>
+#include <stickslip/problem/verification.h>
 
 #include <functional>
 #include <iomanip>
@@ -51,7 +51,7 @@ namespace
     {
       problem.begin_step(1., problem.zero_state());
       problem.configure(problem.zero_state(), true);
-      note_partners(problem.contact());
+      record_initial_pairings(problem.contact());
       problem.begin_iteration(problem.zero_state());
     }
 
@@ -92,8 +92,8 @@ namespace
     {
       double forward = 0.;
       for (const auto &point : problem.contact().contact_pairs()[0]->points)
-        if (point.frame.paired)
-          forward = point.frame.tau[0][0] > 0. ? 1. : -1.;
+        if (point.pairing.paired)
+          forward = point.pairing.tau[0][0] > 0. ? 1. : -1.;
       forward = Utilities::MPI::sum(forward, MPI_COMM_WORLD) > 0. ? 1. : -1.;
       for (const auto &node : problem.contact().multipliers().owned_nodes())
         x.block(1)(node.first_dof + 1) = forward * Lambda;
@@ -109,15 +109,16 @@ namespace
   look(const std::string &title, Blocks<dim> &blocks, const LA::BlockVector &x)
   {
     // the bodies are not in equilibrium: only the contact law is of interest
-    AcceptanceParameters parameters;
+    VerificationParameters parameters;
     parameters.residual_tolerance = 1e10;
-    const Acceptance        found = examine(blocks.problem, x, parameters);
+    const Verification      found = verify_state(blocks.problem, x, parameters);
     const ContactViolation &v     = found.violation;
     std::ostringstream      text;
     text << "  " << title << ": " << std::fixed << std::setprecision(6)
          << "normal " << v.normal_law << ", friction " << v.friction_law
-         << ", |Lambda| - 1 " << v.disc << ", fallen " << v.fallen_through
-         << (found.complaint.empty() ? ": accepted" : ": rejected");
+         << ", |Lambda| - 1 " << v.friction_cone_excess << ", fallen "
+         << v.fallen_through
+         << (found.errors.empty() ? ": accepted" : ": rejected");
     print(text.str());
   }
 
@@ -170,7 +171,8 @@ namespace
     const auto frames       = [&]() {
       std::ostringstream text;
       for (const auto &point : contact.contact_pairs()[0]->points)
-        text << point.frame.paired << point.frame.xi << point.frame.face << ' ';
+        text << point.pairing.paired << point.pairing.xi << point.pairing.face
+             << ' ';
       return text.str();
     };
     blocks.problem.configure(blocks.problem.zero_state(), true);

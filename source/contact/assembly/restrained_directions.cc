@@ -1,4 +1,4 @@
-#include <stickslip/contact/assembly/held_directions.h>
+#include <stickslip/contact/assembly/restrained_directions.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
@@ -63,10 +63,10 @@ namespace stickslip
                 }
             }
       };
-      add(pair.slave_faces[point.slave_face].face.dofs,
-          pair.table.displacement[point.quadrature_index].value,
+      add(pair.slave_faces[point.geometry.slave_face].face.dofs,
+          pair.table.displacement[point.geometry.quadrature_index].value,
           1.);
-      add(pair.patch->face(point.frame.face).dofs,
+      add(pair.patch->face(point.pairing.face).dofs,
           state.master.shape.value,
           -1.);
       return motion;
@@ -97,7 +97,7 @@ namespace stickslip
                  const ContactPoint<dim> &point,
                  const Constraints       &constraints)
     {
-      const auto &dofs = pair.slave_faces[point.slave_face].face.dofs;
+      const auto &dofs = pair.slave_faces[point.geometry.slave_face].face.dofs;
       return std::none_of(dofs.begin(), dofs.end(), [&](const auto dof) {
         return constraints.is_constrained(dof);
       });
@@ -131,14 +131,14 @@ namespace stickslip
 
 
 
-    /// The tangential ones among the directions that are held.
+    /// The tangential ones among the restrained directions.
     template <int dim>
     std::vector<Tensor<1, dim>>
-    tangential_directions(const std::vector<Tensor<1, dim>> &held,
+    tangential_directions(const std::vector<Tensor<1, dim>> &restrained,
                           const Tensor<1, dim>              &n)
     {
       SymmetricTensor<2, dim> sum;
-      for (const auto &h : held)
+      for (const auto &h : restrained)
         {
           const Tensor<1, dim> t = h - (h * n) * n;
           sum += symmetrize(outer_product(t, t));
@@ -175,27 +175,27 @@ namespace stickslip
                             multipliers.locally_relevant(),
                             contact.get_communicator());
         }
-      for (const auto &pair : contact.contact_pairs())
-        if (pair->parameters.has_friction())
-          for (const auto &point : pair->points)
-            {
-              if (!point.frame.paired)
-                continue;
-              const SymmetricTensor<2, dim> K =
-                moves_freely(*pair, point, constraints)
-                  ? unit_symmetric_tensor<dim>()
-                  : mobility(*pair,
-                             point,
-                             contact.evaluate(*pair, point),
-                             constraints);
-              const auto &dofs =
-                pair->slave_faces[point.slave_face].multiplier_dofs;
-              const auto &L = pair->table.multiplier[point.quadrature_index];
-              for (unsigned int l = 0; l < L.size(); ++l)
-                for (unsigned int k = 0; k < dim; ++k)
-                  for (unsigned int c = 0; c < dim; ++c)
-                    sum[k](dofs[l * dim + c]) += std::abs(L[l]) * K[k][c];
-            }
+      for_each_point(
+        contact,
+        [&](const ContactPair<dim> &pair, const ContactPoint<dim> &point) {
+          if (!pair.parameters.has_friction() || !point.pairing.paired)
+            return;
+          const SymmetricTensor<2, dim> K =
+            moves_freely(pair, point, constraints)
+              ? unit_symmetric_tensor<dim>()
+              : mobility(pair,
+                         point,
+                         contact.evaluate(pair, point),
+                         constraints);
+          const auto &dofs =
+            pair.slave_faces[point.geometry.slave_face].multiplier_dofs;
+          const auto &L =
+            pair.table.multiplier[point.geometry.quadrature_index];
+          for (unsigned int l = 0; l < L.size(); ++l)
+            for (unsigned int k = 0; k < dim; ++k)
+              for (unsigned int c = 0; c < dim; ++c)
+                sum[k](dofs[l * dim + c]) += std::abs(L[l]) * K[k][c];
+        });
       for (unsigned int k = 0; k < dim; ++k)
         {
           sum[k].compress(VectorOperation::add);
@@ -209,42 +209,43 @@ namespace stickslip
 
   template <int dim>
   void
-  update_held_directions(ContactAssembler<dim> &contact,
-                         const Constraints     &constraints,
-                         const LA::Vector      &accepted_multipliers)
+  update_restrained_directions(ContactAssembler<dim> &contact,
+                               const Constraints     &constraints,
+                               const LA::Vector      &accepted_multipliers)
   {
     const auto nodal = nodal_mobilities(contact, constraints);
-    for (const auto &pair : contact.contact_pairs())
-      if (pair->parameters.has_friction())
-        for (auto &point : pair->points)
-          {
-            point.held_directions.clear();
-            if (!point.frame.paired || moves_freely(*pair, point, constraints))
-              continue;
-            const auto &dofs =
-              pair->slave_faces[point.slave_face].multiplier_dofs;
-            const auto &L = pair->table.multiplier[point.quadrature_index];
-            SymmetricTensor<2, dim> K;
-            for (unsigned int l = 0; l < L.size(); ++l)
-              if (std::abs(L[l]) > 1e-12)
-                for (unsigned int k = 0; k < dim; ++k)
-                  for (unsigned int c = k; c < dim; ++c)
-                    K[k][c] += nodal[k](dofs[l * dim + c]);
-            point.held_directions = tangential_directions(
-              null_directions(K, no_mobility * no_mobility), point.frame.n);
-            if (point.held_directions.empty())
-              continue;
-            point.kept_Lambda =
-              contact.multipliers_at(*pair, point, accepted_multipliers).Lambda;
-          }
+    for_each_point(
+      contact, [&](ContactPair<dim> &pair, ContactPoint<dim> &point) {
+        if (!pair.parameters.has_friction())
+          return;
+        point.restrained.directions.clear();
+        if (!point.pairing.paired || moves_freely(pair, point, constraints))
+          return;
+        const auto &dofs =
+          pair.slave_faces[point.geometry.slave_face].multiplier_dofs;
+        const auto &L = pair.table.multiplier[point.geometry.quadrature_index];
+        SymmetricTensor<2, dim> K;
+        for (unsigned int l = 0; l < L.size(); ++l)
+          if (std::abs(L[l]) > 1e-12)
+            for (unsigned int k = 0; k < dim; ++k)
+              for (unsigned int c = k; c < dim; ++c)
+                K[k][c] += nodal[k](dofs[l * dim + c]);
+        point.restrained.directions =
+          tangential_directions(null_directions(K, no_mobility * no_mobility),
+                                point.pairing.n);
+        if (point.restrained.directions.empty())
+          return;
+        point.restrained.Lambda =
+          contact.multipliers_at(pair, point, accepted_multipliers).Lambda;
+      });
   }
 
   template void
-  update_held_directions(ContactAssembler<2> &,
-                         const Constraints &,
-                         const LA::Vector &);
+  update_restrained_directions(ContactAssembler<2> &,
+                               const Constraints &,
+                               const LA::Vector &);
   template void
-  update_held_directions(ContactAssembler<3> &,
-                         const Constraints &,
-                         const LA::Vector &);
+  update_restrained_directions(ContactAssembler<3> &,
+                               const Constraints &,
+                               const LA::Vector &);
 } // namespace stickslip

@@ -1,0 +1,114 @@
+#include <stickslip/contact/point/pairing_hysteresis.h>
+
+namespace stickslip
+{
+  namespace
+  {
+    template <int dim>
+    bool
+    is_beyond_its_facet(const Pairing<dim> &pairing)
+    {
+      constexpr double roundoff = 1e-10;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        if (pairing.paired &&
+            (pairing.xi[d] < -roundoff || pairing.xi[d] > 1. + roundoff))
+          return true;
+      return false;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  EdgeRetention
+  PairingHysteresis<dim>::retention() const
+  {
+    const unsigned int n = counted_facet_changes() / many_facet_changes;
+    return {n == 0 ? 0. : n == 1 ? 1. : n == 2 ? 10. : 50., keeps_beyond_end()};
+  }
+
+
+
+  template <int dim>
+  bool
+  PairingHysteresis<dim>::accept_iterate(const Pairing<dim> &found)
+  {
+    const bool partner_changes = found.paired != last_pairing.paired;
+    const bool facet_changes   = found.paired && last_pairing.paired &&
+                               !found.is_on_same_part_as(last_pairing);
+    n_partner_changes += partner_changes;
+    n_facet_changes += facet_changes;
+    last_pairing = found;
+    return partner_changes || facet_changes;
+  }
+
+
+
+  template <int dim>
+  void
+  PairingHysteresis<dim>::accept_step(const Pairing<dim> &found)
+  {
+    accept_iterate(found);
+    at_last_step.kept_beyond_end =
+      keeps_beyond_end() && found.paired && !found.is_interior();
+    // beyond its facet the point still needs what has kept it there
+    at_last_step.facet_changes =
+      is_beyond_its_facet(found) ? counted_facet_changes() : 0;
+    at_last_step.pairing = found;
+    restore();
+  }
+
+
+
+  template <int dim>
+  void
+  PairingHysteresis<dim>::restore()
+  {
+    last_pairing      = at_last_step.pairing;
+    n_facet_changes   = at_last_step.facet_changes;
+    n_partner_changes = 0;
+  }
+
+
+
+  template <int dim>
+  void
+  PairingHysteresis<dim>::resume(const Accepted &state)
+  {
+    at_last_step = state;
+    restore();
+  }
+
+
+
+  template <int dim>
+  bool
+  PairingHysteresis<dim>::switches_facets() const
+  {
+    return n_facet_changes / many_facet_changes >
+           at_last_step.facet_changes / many_facet_changes;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  PairingHysteresis<dim>::counted_facet_changes() const
+  {
+    return is_active ? n_facet_changes : at_last_step.facet_changes;
+  }
+
+
+
+  template <int dim>
+  bool
+  PairingHysteresis<dim>::keeps_beyond_end() const
+  {
+    return at_last_step.kept_beyond_end || (is_active && switches_at_end());
+  }
+
+
+
+  template class PairingHysteresis<2>;
+  template class PairingHysteresis<3>;
+} // namespace stickslip
