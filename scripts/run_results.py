@@ -133,10 +133,10 @@ class Log:
 class Run:
     """
     One output directory. `case` is the .prm file of the run, for a directory
-    that does not keep its parameters. Throws ResultsError if there is no run.
+    that does not keep its parameters, `overrides` are its "Section/Name=value". Throws ResultsError if there is no run.
     """
 
-    def __init__(self, directory, case=None):
+    def __init__(self, directory, case=None, overrides=()):
         self.directory = pathlib.Path(directory)
         self.label = self.directory.resolve().name
         if not self.directory.is_dir():
@@ -149,7 +149,7 @@ class Run:
         if not (self.log.exists or self.statistics or self.bodies.steps):
             raise ResultsError(f"'{directory}' is not the output directory of a run: it has neither convergence.log "
                                "nor statistics.csv nor solution.pvd.")
-        self.parameters = self._parameters(case)
+        self.parameters = self._parameters(case, overrides)
 
     def table(self, name):
         """Columns without rows that are not written to their end; {} if there is nothing."""
@@ -160,16 +160,24 @@ class Run:
         is_whole = [not isinstance(row[0], str) and "" not in row[:2] and row[-1] != "" for row in zip(*columns.values())]
         return {key: [value for value, whole in zip(values, is_whole) if whole] for key, values in columns.items()}
 
-    def _parameters(self, case):
+    def _parameters(self, case, overrides):
         path = self.directory / PARAMETERS
         if not path.exists():
             if case is None:
                 return None
             path = pathlib.Path(case)
+        else:
+            overrides = ()
         try:
-            return Parameters.read(path)
+            parameters = Parameters.read(path)
         except ParameterFileError as error:
             raise ResultsError(str(error)) from error
+        for override in overrides:
+            name, equals, value = override.partition("=")
+            if not equals or not name.strip():
+                raise ResultsError(f"--set '{override}' is not of the form Section/Name=value.")
+            parameters.set("/".join(part.strip() for part in name.split("/")), value.strip())
+        return parameters
 
     @property
     def title(self):

@@ -6,7 +6,6 @@ import os
 import pathlib
 import shutil
 import subprocess
-import threading
 
 from run_results import PARAMETERS, ROOT, ResultsError, Run
 from benchmark import environment, measure
@@ -27,7 +26,7 @@ class StudyRuns:
     def __init__(self, study, output):
         self.study = study
         self.output = pathlib.Path(output)
-        self.lock = threading.Lock()
+        self.version = ""  # of the program; ask_version() before runs
 
     def directory(self, run):
         return self.output / run.label
@@ -74,18 +73,21 @@ class StudyRuns:
             if result.returncode != 0:
                 raise StudyError(f"run '{run.label}': {(result.stderr or result.stdout).strip()}")
 
+    def ask_version(self):
+        result = subprocess.run([program(), "--version"], capture_output=True, text=True, env=environment())
+        self.version = result.stdout.strip()
+
     def execute(self, run):
         """One run from its beginning. Returns its state; a run that was killed leaves no record."""
         directory = self.directory(run)
         shutil.rmtree(directory, ignore_errors=True)
         directory.mkdir(parents=True)
-        version = subprocess.run([program(), "--version"], capture_output=True, text=True, env=environment()).stdout.strip()
-        text = f"# {version}, {self.study.ranks} rank{'s' if self.study.ranks > 1 else ''}\n"
+        text = f"# {self.version}, {self.study.ranks} rank{'s' if self.study.ranks > 1 else ''}\n"
         (directory / PARAMETERS).write_text(text + self.study.parameters_of(run).text())
         usage = measure(self.command(run, directory.resolve()), directory / "log.txt", self.output, timeout=self.study.time_limit)
         state = "time limit" if usage.is_out_of_time else STATES.get(usage.exit_code, "killed")
         if state != "killed":
-            record = {"state": state, "exit_code": usage.exit_code, "seconds": round(usage.seconds, 3), "program": version,
+            record = {"state": state, "exit_code": usage.exit_code, "seconds": round(usage.seconds, 3), "program": self.version,
                       "fingerprint": self.fingerprint(run)}
             temporary = directory / (RECORD + ".part")
             temporary.write_text(json.dumps(record))

@@ -38,6 +38,8 @@ def script(name, *arguments):
 def report(*arguments):
     result = script("report", *arguments)
     check(result.returncode == 0, f"report {' '.join(map(str, arguments))}: {result.stderr.strip()[-300:]}")
+    if result.returncode != 0:
+        sys.exit("Without this page there is nothing to look at.")
     return pathlib.Path(arguments[arguments.index("--output") + 1]).read_text()
 
 
@@ -103,7 +105,7 @@ def check_in_browser(file, name, n_players):
 
 def test_one_run():
     run_case("one", {})
-    page = report("one", "--case", case, "--output", "one.html", "--frames", 4, "--times", "1,2")
+    page = report("one", "--case", case, "--set", "Degree=1", "--output", "one.html", "--frames", 4, "--times", "1,2")
     check_document(page, "one run")
     check_numbers(page, 0, "one")
     for words in ("Two blocks with friction", "upper, boundary 2", "Coulomb, friction coefficient 0.3", "St Venant-Kirchhoff"):
@@ -150,7 +152,8 @@ def test_troubled_runs():
     check_in_browser("part.html", "interrupted run", 0)
 
     run_case("bodies", {"Contact/interface/Slave boundary": 1, "Contact/interface/Master boundary": 0, "Load stepping/End time": 1})
-    page = report("bodies", "--output", "bodies.html", "--frames", 2)
+    page = report("bodies", "--case", case, "--set", "Contact/interface/Slave boundary = 1", "--output", "bodies.html", "--frames", 2)
+    check("upper, boundary 1" in page, "bodies that do not touch: --set of the run")
     check_document(page, "bodies that do not touch")
 
 
@@ -168,6 +171,7 @@ def test_refused():
                              (["report", "empty"], "not the output directory of a run"),
                              (["report", "no name", "--case", "bad.prm"], "'Bodies' has no end"),
                              (["report", "no name", "--case", "no.prm"], "cannot be read"),
+                             (["report", "no name", "--case", str(case), "--set", "Degree"], "not of the form"),
                              (["report", "one", "one", "--no-pictures"], "named twice"),
                              (["report", "no name", "--field", "temperature", "--frames", 0], "no field 'temperature'"),
                              (["report", "no name", "--no-pictures", "--output", "no/where.html"], "No such file"),
