@@ -36,8 +36,8 @@ namespace
                   << r.r_n_status << ' ' << r.r_n_augmentation << ' '
                   << r.r_n_law << ", r_t " << r.r_t_status << ' '
                   << r.r_t_augmentation << ' ' << r.r_t_law
-                  << ", stick before the first pressure " << r.initial_stiffness
-                  << '\n';
+                  << ", stick before the first pressure "
+                  << point->scales.initial_stick << '\n';
       }
   }
 
@@ -140,7 +140,8 @@ namespace
         std::string text;
         for (const auto &t : point.restrained.directions)
           text += std::abs(t[0]) > 1. - 1e-12 ? " x" : " other";
-        at[point.geometry.reference_position[0]] = text.empty() ? " none" : text;
+        at[point.geometry.reference_position[0]] =
+          text.empty() ? " none" : text;
       }
     std::cout << "  " << title << ':';
     for (const auto &[x, text] : at)
