@@ -7,7 +7,8 @@ namespace stickslip
   namespace
   {
     bool
-    another_algorithm_may_help(const FailureCause cause)
+    another_algorithm_may_help(const FailureCause cause,
+                               const bool         step_can_be_cut)
     {
       switch (cause)
         {
@@ -20,6 +21,7 @@ namespace stickslip
             return true;
           case FailureCause::divergence:
           case FailureCause::inadmissible:
+            return !step_can_be_cut;
           case FailureCause::singular:
           case FailureCause::linear_solver:
             return false;
@@ -53,8 +55,8 @@ namespace stickslip
       }
     const auto present =
       std::find(sequence.begin(), sequence.end(), failed.algorithm);
-    if (!another_algorithm_may_help(cause) || present == sequence.end() ||
-        present + 1 == sequence.end())
+    if (!another_algorithm_may_help(cause, failed.step_can_be_cut) ||
+        present == sequence.end() || present + 1 == sequence.end())
       return {};
     next.algorithm = *(present + 1);
     next.guess     = Attempt::Guess::accepted;

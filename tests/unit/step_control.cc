@@ -105,6 +105,11 @@ namespace
            next_attempt(attempt, FailureCause::cycle, {}, {Algorithm::fpm}))
       << "\n";
     print("the budget stays", next->budget == 120);
+    attempt.algorithm       = Algorithm::gnm;
+    attempt.guess           = Attempt::Guess::predicted;
+    attempt.step_can_be_cut = false;
+    std::cout << "A step that cannot be cut any more: ";
+    print_table(attempt);
   }
 
 

@@ -43,6 +43,9 @@ namespace stickslip
     Pairing      pairing   = Pairing::memoryless;
     unsigned int budget    = std::numeric_limits<unsigned int>::max();
     ///< Newton iterations after which the attempt has failed
+
+    /// False: if all attempts fail, the run ends.
+    bool step_can_be_cut = true;
   };
 
 
@@ -66,8 +69,9 @@ namespace stickslip
    *    (@p effect).
    * 2. The next algorithm of @p sequence, from the accepted state, where the
    *    cause is one that another algorithm may remove: unknown statuses,
-   *    thresholds and pairings; not a step that is too large for the bodies, or
-   *    bodies that nothing supports.
+   *    thresholds and pairings. Bodies that nothing supports need another case;
+   *    a step that is too large for the bodies is better cut, and only where it
+   *    cannot be cut any more the other algorithms are tried.
    */
   std::optional<Attempt>
   next_attempt(const Attempt                &failed,

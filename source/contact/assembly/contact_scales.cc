@@ -25,14 +25,6 @@ namespace stickslip
 
 
 
-    /// Stick that is assumed before the first pressure, over the stiffness of
-    /// the contact: so weak that the first iteration is nearly the frictionless
-    /// one, from which fewer points change their status later. Only a pair that
-    /// has to hold a body sticks with its full stiffness.
-    constexpr double weak_stick = 1e-4;
-
-
-
     /// What the factors of a point multiply.
     struct ScaleUnits
     {
@@ -131,9 +123,10 @@ namespace stickslip
             r.r_t_status                    = t * factor.r_t_status;
             r.r_t_augmentation              = t * factor.r_t_augmentation;
             r.r_t_law                       = t * factor.r_t_law;
-            scales.initial_stick            = 0.;
-            if (parameters.has_friction() && largest == 0.)
-              scales.initial_stick = k * (pair->has_to_hold ? 1. : weak_stick);
+            const bool is_first_pressure_to_come =
+              parameters.has_friction() && largest == 0.;
+            scales.initial_stick =
+              is_first_pressure_to_come && pair->has_to_hold ? k : 0.;
             scales.open_row = open_row_factor * s / r.r_t_law;
           }
       }
