@@ -96,8 +96,7 @@ namespace stickslip
                    const bool               with_derivatives);
 
     PointLaw
-    law_at(const ContactPair<dim>  &pair,
-           const ContactPoint<dim> &point) const;
+    law_at(const ContactPair<dim> &pair, const ContactPoint<dim> &point) const;
   };
 
 

@@ -13,9 +13,9 @@ namespace stickslip
    * would repeat that of lambda_n, and the motion that closes a gap would pass
    * for slip. Coulomb's law allows any |Lambda| <= 1 in stick. Of these the
    * value of the last accepted step is kept (ContactPoint::restrained), which
-   * is 0 at points that have never slipped, as it has to be on a symmetry plane.
-   * Points that constraints drive against each other are not restrained: they
-   * slip.
+   * is 0 at points that have never slipped, as it has to be on a symmetry
+   * plane. Points that constraints drive against each other are not restrained:
+   * they slip.
    *
    * A point is restrained only if all points that share a multiplier node with
    * it are. @p constraints are those of the increment, @p accepted_multipliers
