@@ -115,14 +115,14 @@ namespace stickslip
             scales.threshold                = s;
             scales.stiffness_over_threshold = k / s;
             const ScaleUnits units          = units_of(*pair, scales);
-            const double     n              = point.cure.r_n_factor * units.n;
-            const double     t              = point.cure.r_t_factor * units.t;
-            r.r_n_status                    = n * factor.r_n_status;
-            r.r_n_augmentation              = n * factor.r_n_augmentation;
-            r.r_n_law                       = n * factor.r_n_law;
-            r.r_t_status                    = t * factor.r_t_status;
-            r.r_t_augmentation              = t * factor.r_t_augmentation;
-            r.r_t_law                       = t * factor.r_t_law;
+            const double     n = point.treatment.r_n_factor * units.n;
+            const double     t = point.treatment.r_t_factor * units.t;
+            r.r_n_status       = n * factor.r_n_status;
+            r.r_n_augmentation = n * factor.r_n_augmentation;
+            r.r_n_law          = n * factor.r_n_law;
+            r.r_t_status       = t * factor.r_t_status;
+            r.r_t_augmentation = t * factor.r_t_augmentation;
+            r.r_t_law          = t * factor.r_t_law;
             const bool is_first_pressure_to_come =
               parameters.has_friction() && largest == 0.;
             scales.initial_stick =
