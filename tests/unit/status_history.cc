@@ -168,7 +168,7 @@ namespace
           act(point,
               script(k,
                      static_cast<unsigned int>(
-                       point.geometry.geometry.reference_position[0])),
+                       point.geometry.reference_position[0])),
               FaceId());
         history.record(contact);
       }
