@@ -4,6 +4,7 @@
 #include "print.h"
 
 #include <stickslip/strategy/forcing_term.h>
+#include <stickslip/strategy/line_search.h>
 #include <stickslip/strategy/newton_solver.h>
 #include <stickslip/strategy/residual_monitors.h>
 
@@ -300,6 +301,26 @@ namespace
     soft.lengths.clear();
     solve("the same, at most six halvings", soft, 1., halving);
     std::cout << "    step length 1/" << 1. / soft.lengths.back() << '\n';
+  }
+
+
+
+  void
+  test_no_fraction_decreases()
+  {
+    // 1 at the start; 3, 1.5, 2 at 1, 1/2, 1/4
+    Equation planted(
+      [](const double x) {
+        return x > 0.9 ? 3. : x > 0.4 ? 1.5 : x > 0.2 ? 2. : 1.;
+      },
+      [](const double) { return 1.; });
+    LA::BlockVector       x      = vector_of(0.);
+    const NewtonIteration before = planted.residual(x);
+    const NewtonIteration state =
+      advance(planted, vector_of(1.), before, true, 2, x);
+    std::cout << "  no fraction of a step decreases: x = " << value_of(x)
+              << ", residual " << state.equilibrium << ", length "
+              << state.step_length << '\n';
   }
 
 
@@ -616,6 +637,7 @@ main(int argc, char *argv[])
   test_cycles();
   test_kink();
   test_failures();
+  test_no_fraction_decreases();
   test_inadmissible_states();
   test_prescribed();
   test_roundoff();

@@ -240,9 +240,9 @@ namespace
     CycleTreatment result = CycleTreatment::none;
     for (unsigned int i = 0; i < 6; ++i)
       {
-        facet.point().observed           = closes;
+        facet.point().observed             = closes;
         facet.point().pairing.face_id.face = i % 2;
-        result                           = facet.treatment.observe(i == 5);
+        result                             = facet.treatment.observe(i == 5);
       }
     report("from facet to facet", facet, result);
     PlantedCycle asked(automatic);
