@@ -138,7 +138,7 @@ namespace
         line << "face "
              << static_cast<unsigned int>(contact.contact_pairs()[cycle.pair]
                                             ->points[cycle.point]
-                                            .reference_position[0])
+                                            .geometry.reference_position[0])
              << ": " << history.text(cycle.pair, cycle.point) << ", "
              << name_of(cycle.kind) << ", period " << cycle.period
              << (cycle.changes_facet ? ", changes facet" : "") << ", "
