@@ -156,8 +156,8 @@ namespace stickslip
     for (unsigned int c = 0; c < dim; ++c)
       cursor(point.accumulated_slip[c]);
     // adapted regularization is kept from step to step
-    cursor(point.cure.r_n_factor);
-    cursor(point.cure.r_t_factor);
+    cursor(point.treatment.r_n_factor);
+    cursor(point.treatment.r_t_factor);
     // what the next pairing starts from; the rest follows from it
     auto          state   = point.hysteresis.accepted();
     Pairing<dim> &pairing = state.pairing;

@@ -180,12 +180,13 @@ namespace stickslip
   void
   Simulation<dim>::cut_step(const NoConvergence &failure)
   {
-    const FailureReport report = report_failure(failure,
-                                                steps().step_number() + 1,
-                                                parameters,
-                                                problem,
-                                                step_solver.cures.history(),
-                                                log.last_newton_run());
+    const FailureReport report =
+      report_failure(failure,
+                     steps().step_number() + 1,
+                     parameters,
+                     problem,
+                     step_solver.cycle_treatment.history(),
+                     log.last_newton_run());
     log.note(report.text());
     problem.restore();
     x = accepted.x;
@@ -304,7 +305,8 @@ namespace stickslip
     const SolveCounts          &counts    = problem.counts;
     const Verification         &found     = step_solver.verification();
     const auto                 &violation = found.violation;
-    const CycleTreatmentCounts &cures     = step_solver.cures.counts;
+    const CycleTreatmentCounts &cycle_treatment =
+      step_solver.cycle_treatment.counts;
     statistics.add("step", steps().step_number());
     statistics.add("time", steps().time());
     statistics.add("algorithm", name_of(solved.algorithm));
@@ -319,9 +321,9 @@ namespace stickslip
     statistics.add("cuts", step_control.n_cuts());
     statistics.add("failed_newton_iterations",
                    step_solver.failed_newton_iterations());
-    statistics.add("cycles", cures.cycles);
-    statistics.add("adapted_r", cures.adapted_scales);
-    statistics.add("held_statuses", cures.fixed_statuses);
+    statistics.add("cycles", cycle_treatment.cycles);
+    statistics.add("adapted_r", cycle_treatment.adapted_scales);
+    statistics.add("held_statuses", cycle_treatment.fixed_statuses);
     statistics.add("sparsity_rebuilds", counts.sparsity_rebuilds);
     statistics.add("assembly_seconds", counts.assembly_seconds);
     statistics.add("contact_seconds", counts.contact_seconds);

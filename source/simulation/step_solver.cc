@@ -21,13 +21,13 @@ namespace stickslip
                         const IncrementSolver      increment_solver,
                         ContactProblem<dim>       &problem,
                         LinearSolver              &linear_solver,
-                        StatusCycleTreatment<dim> &cures,
+                        StatusCycleTreatment<dim> &cycle_treatment,
                         ConvergenceLog            &log)
         : attempt(attempt)
         , increment_solver(increment_solver)
         , problem(problem)
         , linear_solver(linear_solver)
-        , cures(cures)
+        , cycle_treatment(cycle_treatment)
         , log(log)
       {}
 
@@ -87,16 +87,16 @@ namespace stickslip
       CycleTreatment
       treat_cycle(const bool stagnates) override
       {
-        const CycleTreatment treatment = cures.observe(stagnates);
-        if (cures.last_report())
-          log.cycle_treatment(*cures.last_report());
+        const CycleTreatment treatment = cycle_treatment.observe(stagnates);
+        if (cycle_treatment.last_report())
+          log.cycle_treatment(*cycle_treatment.last_report());
         return treatment;
       }
 
       bool
       release_fixed_statuses() override
       {
-        return cures.release();
+        return cycle_treatment.release();
       }
 
     private:
@@ -104,7 +104,7 @@ namespace stickslip
       const IncrementSolver      increment_solver;
       ContactProblem<dim>       &problem;
       LinearSolver              &linear_solver;
-      StatusCycleTreatment<dim> &cures;
+      StatusCycleTreatment<dim> &cycle_treatment;
       ConvergenceLog            &log;
 
       void
@@ -134,7 +134,7 @@ namespace stickslip
                               ContactProblem<dim>  &problem,
                               LinearSolver         &linear_solver,
                               ConvergenceLog       &log)
-    : cures(parameters.cycling, problem.contact())
+    : cycle_treatment(parameters.cycling, problem.contact())
     , parameters(parameters)
     , problem(problem)
     , linear_solver(linear_solver)
@@ -147,8 +147,8 @@ namespace stickslip
   void
   StepSolver<dim>::begin_step()
   {
-    failed_iterations = 0;
-    cures.counts      = CycleTreatmentCounts();
+    failed_iterations      = 0;
+    cycle_treatment.counts = CycleTreatmentCounts();
   }
 
 
@@ -164,7 +164,7 @@ namespace stickslip
     problem.begin_step(time, accepted);
     problem.configure(accepted, true);
     record_initial_pairings(problem.contact());
-    cures.begin_step();
+    cycle_treatment.begin_step();
     for (Attempt attempt = control.first_attempt();;)
       try
         {
@@ -177,10 +177,11 @@ namespace stickslip
       catch (const NoConvergence &failure)
         {
           failed_iterations += problem.counts.newton_iterations;
-          const auto next = control.next_attempt(attempt,
-                                                 failure.cause,
-                                                 {cures.natural_scales_differ(),
-                                                  cures.learning_would_help()});
+          const auto next =
+            control.next_attempt(attempt,
+                                 failure.cause,
+                                 {cycle_treatment.stiffness_scales_differ(),
+                                  cycle_treatment.hysteresis_would_help()});
           if (!next)
             throw;
           log.note(name_of(attempt.algorithm) + " failed: " + failure.what() +
@@ -197,9 +198,9 @@ namespace stickslip
   StepSolver<dim>::prepare(const Attempt &attempt)
   {
     if (attempt.scales == Attempt::Scales::contact_stiffness)
-      cures.use_natural_scales();
+      cycle_treatment.use_stiffness_scales();
     if (attempt.pairing == Attempt::Pairing::hysteresis)
-      cures.let_points_learn();
+      cycle_treatment.activate_hysteresis();
     problem.counts = SolveCounts();
     problem.forget_state();
   }
@@ -212,15 +213,19 @@ namespace stickslip
   {
     const SolutionStrategy strategy =
       strategy_of(attempt.algorithm, parameters.algorithm);
-    StepNewtonProblem<dim> newton_problem(
-      attempt, strategy.increment_solver, problem, linear_solver, cures, log);
+    StepNewtonProblem<dim> newton_problem(attempt,
+                                          strategy.increment_solver,
+                                          problem,
+                                          linear_solver,
+                                          cycle_treatment,
+                                          log);
     const NewtonSolver     newton_solver(parameters.algorithm.newton,
                                      newton_problem);
     const NestedFixedPoint fixed_point(
       make_loops(
         strategy, parameters.algorithm, problem.quantities(), problem.counts),
       [&](LA::BlockVector &state) {
-        cures.begin_solve();
+        cycle_treatment.begin_solve();
         newton_solver.solve(state);
       },
       [this](const std::string &quantity,

@@ -60,7 +60,7 @@ namespace stickslip
       return failed_iterations;
     }
 
-    StatusCycleTreatment<dim> cures;
+    StatusCycleTreatment<dim> cycle_treatment;
 
   private:
     const CaseParameters &parameters;

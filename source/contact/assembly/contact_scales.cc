@@ -19,6 +19,17 @@ namespace stickslip
 
 
 
+    /// The least threshold that r_t follows, over the largest of the pair.
+    constexpr double least_threshold = 0.01;
+
+
+
+    /// The least friction coefficient that r_t follows before the first
+    /// pressure.
+    constexpr double least_friction_coefficient = 1e-3;
+
+
+
     /// Size of the open Lambda rows beside the closed ones: so small that the
     /// sum over the points of a node hardly jumps when one of them opens.
     constexpr double open_row_factor = 1e-6;
@@ -113,9 +124,10 @@ namespace stickslip
             const double       k     = contact_stiffness(*pair, point);
             const double       height =
               pair->slave_faces[point.geometry.slave_face].face.diameter;
-            double s = std::max(thresholds[i], 0.01 * largest);
+            double s = std::max(thresholds[i], least_threshold * largest);
             if (s == 0.)
-              s = std::max(parameters.friction_coefficient, 1e-3) *
+              s = std::max(parameters.friction_coefficient,
+                           least_friction_coefficient) *
                   expected_strain * k * height;
             Regularization &r               = point.regularization;
             ContactScales  &scales          = point.scales;
@@ -123,15 +135,15 @@ namespace stickslip
             scales.threshold                = s;
             scales.stiffness_over_threshold = k / s;
             const ScaleUnits units          = units_of(*pair, scales);
-            const double     n              = point.cure.r_n_factor * units.n;
-            const double     t              = point.cure.r_t_factor * units.t;
-            r.r_n_status                    = n * factor.r_n_status;
-            r.r_n_augmentation              = n * factor.r_n_augmentation;
-            r.r_n_law                       = n * factor.r_n_law;
-            r.r_t_status                    = t * factor.r_t_status;
-            r.r_t_augmentation              = t * factor.r_t_augmentation;
-            r.r_t_law                       = t * factor.r_t_law;
-            scales.initial_stick            = 0.;
+            const double     n   = point.treatment.r_n_factor * units.n;
+            const double     t   = point.treatment.r_t_factor * units.t;
+            r.r_n_status         = n * factor.r_n_status;
+            r.r_n_augmentation   = n * factor.r_n_augmentation;
+            r.r_n_law            = n * factor.r_n_law;
+            r.r_t_status         = t * factor.r_t_status;
+            r.r_t_augmentation   = t * factor.r_t_augmentation;
+            r.r_t_law            = t * factor.r_t_law;
+            scales.initial_stick = 0.;
             if (parameters.has_friction() && largest == 0.)
               scales.initial_stick = k * (pair->has_to_hold ? 1. : weak_stick);
             scales.open_row = open_row_factor * s / r.r_t_law;

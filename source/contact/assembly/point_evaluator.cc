@@ -20,13 +20,13 @@ namespace stickslip
         return result;
       if (rule == StatusRule::all_stick)
         return {true, has_friction};
-      result.closed = point.cure.held_closed.value_or(
+      result.closed = point.treatment.fixed_closed.value_or(
         is_live ? is_closed(state.multipliers.lambda_n,
                             state.kinematics.d_n,
                             point.regularization)
                 : point.frozen.closed);
       if (result.closed && has_friction)
-        result.stick = point.cure.held_stick.value_or(
+        result.stick = point.treatment.fixed_stick.value_or(
           is_stick(tangential_vector<dim>(state.multipliers.Lambda,
                                           state.kinematics.tau),
                    state.kinematics.d_t,

@@ -12,15 +12,15 @@ namespace stickslip
 
 
 
-    /// The number nearest to @p natural at which @p agree holds, if agree()
+    /// The number nearest to @p stiffness at which @p agree holds, if agree()
     /// changes only at @p bounds. 0 if there is none.
     template <typename Predicate>
     double
-    nearest_admissible(const double               natural,
+    nearest_admissible(const double               stiffness,
                        const std::vector<double> &bounds,
                        const Predicate           &agree)
     {
-      std::vector<double> candidates = {natural};
+      std::vector<double> candidates = {stiffness};
       for (const double bound : bounds)
         if (bound > 0. && std::isfinite(bound))
           {
@@ -29,8 +29,8 @@ namespace stickslip
           }
       double best = 0.;
       for (const double r : candidates)
-        if (agree(r) && (best == 0. || std::abs(std::log(r / natural)) <
-                                         std::abs(std::log(best / natural))))
+        if (agree(r) && (best == 0. || std::abs(std::log(r / stiffness)) <
+                                         std::abs(std::log(best / stiffness))))
           best = r;
       return best;
     }
@@ -42,10 +42,10 @@ namespace stickslip
   double
   admissible_r_n(const StatusState<dim> &a,
                  const StatusState<dim> &b,
-                 const double            natural)
+                 const double            stiffness)
   {
     return nearest_admissible(
-      natural, {a.lambda_n / a.d_n, b.lambda_n / b.d_n}, [&](const double r) {
+      stiffness, {a.lambda_n / a.d_n, b.lambda_n / b.d_n}, [&](const double r) {
         return (a.lambda_n - r * a.d_n) * (b.lambda_n - r * b.d_n) > 0.;
       });
   }
@@ -56,7 +56,7 @@ namespace stickslip
   double
   admissible_r_t(const StatusState<dim> &a,
                  const StatusState<dim> &b,
-                 const double            natural)
+                 const double            stiffness)
   {
     // |Lambda + r d_t|^2 = 1
     std::vector<double> bounds;
@@ -73,7 +73,7 @@ namespace stickslip
     const auto excess = [](const StatusState<dim> &state, const double r) {
       return (state.Lambda + r * state.d_t).norm() - 1.;
     };
-    return nearest_admissible(natural, bounds, [&](const double r) {
+    return nearest_admissible(stiffness, bounds, [&](const double r) {
       return excess(a, r) * excess(b, r) > 0.;
     });
   }

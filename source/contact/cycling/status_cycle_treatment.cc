@@ -40,10 +40,10 @@ namespace stickslip
 
 
 
-    /// Whether another pairing would follow from what the point learns.
+    /// Whether another pairing would follow from hysteresis.
     template <int dim>
     bool
-    can_learn(const ContactPoint<dim>     &point,
+    would_act(const ContactPoint<dim>     &point,
               const ContactPairParameters &parameters)
     {
       return (point.hysteresis.switches_facets() &&
@@ -108,9 +108,9 @@ namespace stickslip
     for (const auto &pair : contact.contact_pairs())
       for (auto &point : pair->points)
         {
-          point.cure.release();
-          point.cure.n_treatments = 0;
-          point.cure.n_holds      = 0;
+          point.treatment.release();
+          point.treatment.n_treatments = 0;
+          point.treatment.n_fixed      = 0;
         }
   }
 
@@ -157,14 +157,15 @@ namespace stickslip
     const Regularization &r         = point.regularization;
     const bool            is_normal = cycle.kind == CycleKind::contact;
     const double          present   = is_normal ? r.r_n_status : r.r_t_status;
-    const double          stiffness = is_normal ? point.scales.stiffness : point.scales.stiffness_over_threshold;
+    const double          stiffness = is_normal ? point.scales.stiffness
+                                                : point.scales.stiffness_over_threshold;
     const double          better = is_normal ? admissible_r_n(a, b, stiffness)
                                              : admissible_r_t(a, b, stiffness);
     // farther from the stiffness another r only makes another cycle
     if (better == 0. || distance(better, stiffness) + std::log(no_change) >
                           distance(present, stiffness))
       return false;
-    (is_normal ? point.cure.r_n_factor : point.cure.r_t_factor) *=
+    (is_normal ? point.treatment.r_n_factor : point.treatment.r_t_factor) *=
       better / present;
     statuses.note_treatment(cycle.pair,
                             cycle.point,
@@ -179,11 +180,12 @@ namespace stickslip
   void
   StatusCycleTreatment<dim>::fix_status(const PointCycle &cycle)
   {
-    auto &cure = contact.contact_pairs()[cycle.pair]->points[cycle.point].cure;
-    const bool first_side = cure.n_holds % 2 == 0;
-    ++cure.n_holds;
+    auto &treatment =
+      contact.contact_pairs()[cycle.pair]->points[cycle.point].treatment;
+    const bool first_side = treatment.n_fixed % 2 == 0;
+    ++treatment.n_fixed;
     const bool is_normal = cycle.kind == CycleKind::contact;
-    (is_normal ? cure.held_closed : cure.held_stick) = first_side;
+    (is_normal ? treatment.fixed_closed : treatment.fixed_stick) = first_side;
     statuses.note_treatment(cycle.pair,
                             cycle.point,
                             is_normal
@@ -203,12 +205,12 @@ namespace stickslip
     for (const PointCycle &cycle : cycles)
       {
         ++result.n_cycling[static_cast<unsigned int>(cycle.kind)];
-        auto &cure =
-          contact.contact_pairs()[cycle.pair]->points[cycle.point].cure;
+        auto &treatment =
+          contact.contact_pairs()[cycle.pair]->points[cycle.point].treatment;
         if (!concerns_status(cycle.kind) ||
-            cure.n_treatments >= most_treatments)
+            treatment.n_treatments >= most_treatments)
           continue;
-        if (cure.n_treatments == 0 && adapt_scale(cycle))
+        if (treatment.n_treatments == 0 && adapt_scale(cycle))
           ++result.n_other_r;
         else if (parameters.fix_statuses)
           {
@@ -217,7 +219,7 @@ namespace stickslip
           }
         else
           continue;
-        ++cure.n_treatments;
+        ++treatment.n_treatments;
       }
     const MPI_Comm communicator = contact.get_communicator();
     result.n_other_r = Utilities::MPI::sum(result.n_other_r, communicator);
@@ -259,7 +261,7 @@ namespace stickslip
     bool any = false;
     for (const auto &pair : contact.contact_pairs())
       for (auto &point : pair->points)
-        any = point.cure.release() || any;
+        any = point.treatment.release() || any;
     any = Utilities::MPI::max(any ? 1 : 0, contact.get_communicator()) > 0;
     if (any)
       statuses.forget_records();
@@ -270,13 +272,13 @@ namespace stickslip
 
   template <int dim>
   bool
-  StatusCycleTreatment<dim>::learning_would_help() const
+  StatusCycleTreatment<dim>::hysteresis_would_help() const
   {
     bool any = false;
     for (const auto &pair : contact.contact_pairs())
       for (const auto &point : pair->points)
         any = any || (!point.hysteresis.active() &&
-                      can_learn(point, pair->parameters));
+                      would_act(point, pair->parameters));
     return Utilities::MPI::max(any ? 1 : 0, contact.get_communicator()) > 0;
   }
 
@@ -284,7 +286,7 @@ namespace stickslip
 
   template <int dim>
   void
-  StatusCycleTreatment<dim>::let_points_learn()
+  StatusCycleTreatment<dim>::activate_hysteresis()
   {
     for (const auto &pair : contact.contact_pairs())
       for (auto &point : pair->points)
@@ -295,7 +297,7 @@ namespace stickslip
 
   template <int dim>
   bool
-  StatusCycleTreatment<dim>::natural_scales_differ() const
+  StatusCycleTreatment<dim>::stiffness_scales_differ() const
   {
     double largest = 0.;
     for (const auto &pair : contact.contact_pairs())
@@ -318,15 +320,15 @@ namespace stickslip
 
   template <int dim>
   void
-  StatusCycleTreatment<dim>::use_natural_scales()
+  StatusCycleTreatment<dim>::use_stiffness_scales()
   {
     for (const auto &pair : contact.contact_pairs())
       if (scales_may_change(*pair))
         for (auto &point : pair->points)
           {
             const Regularization &r = point.regularization;
-            point.cure.r_n_factor *= point.scales.stiffness / r.r_n_status;
-            point.cure.r_t_factor *=
+            point.treatment.r_n_factor *= point.scales.stiffness / r.r_n_status;
+            point.treatment.r_t_factor *=
               point.scales.stiffness_over_threshold / r.r_t_status;
           }
   }

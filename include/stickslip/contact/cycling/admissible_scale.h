@@ -8,7 +8,7 @@ namespace stickslip
   using namespace dealii;
 
   /**
-   * The r_n nearest to @p natural (as a factor) at which the status of @p a and
+   * The r_n nearest to @p stiffness (as a factor) at which the status of @p a and
    * that of @p b are the same, both closed or both open:
    * (lambda_a - r d_a)(lambda_b - r d_b) > 0 (paper, eq. 29, in closed form:
    * the product changes its sign at lambda_a / d_a and lambda_b / d_b). It
@@ -18,7 +18,7 @@ namespace stickslip
   double
   admissible_r_n(const StatusState<dim> &a,
                  const StatusState<dim> &b,
-                 const double            natural);
+                 const double            stiffness);
 
   /**
    * The same for r_t and stick or slip:
@@ -29,7 +29,7 @@ namespace stickslip
   double
   admissible_r_t(const StatusState<dim> &a,
                  const StatusState<dim> &b,
-                 const double            natural);
+                 const double            stiffness);
 } // namespace stickslip
 
 #endif

@@ -76,7 +76,7 @@ namespace stickslip
     StatusCycleTreatment(const CyclingParameters &parameters,
                          ContactAssembler<dim>   &contact);
 
-    /// A step begins: no point learns from its changes of facet and partner.
+    /// A step begins: points are paired without hysteresis.
     void
     begin_step();
 
@@ -101,23 +101,23 @@ namespace stickslip
     bool
     release();
 
-    /// Some points hop and do not learn from it yet although their overlaps are
-    /// not 0: let_points_learn() would change their pairing.
+    /// Some points switch facets without hysteresis although their overlaps are
+    /// not 0: activate_hysteresis() would change their pairing.
     bool
-    learning_would_help() const;
+    hysteresis_would_help() const;
 
-    /// From now on all points learn in this step
+    /// Pairs all points with hysteresis in the rest of this step
     /// (PairingHysteresis::set_active).
     void
-    let_points_learn();
+    activate_hysteresis();
 
-    /// use_natural_scales() would change an r by more than a factor of two.
+    /// use_stiffness_scales() would change an r by more than a factor of two.
     bool
-    natural_scales_differ() const;
+    stiffness_scales_differ() const;
 
     /// All r at the stiffness of the contact, as the last iteration knew it.
     void
-    use_natural_scales();
+    use_stiffness_scales();
 
     const StatusHistory<dim> &
     history() const

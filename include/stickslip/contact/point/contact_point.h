@@ -56,23 +56,23 @@ namespace stickslip
 
   /// What the treatment of cycles has changed at a point
   /// (cycling/status_cycle_treatment.h).
-  struct PointCure
+  struct PointCycleTreatment
   {
     double              r_n_factor = 1.;
     double              r_t_factor = 1.;
-    std::optional<bool> held_closed; ///< S_c until the residual has converged
-    std::optional<bool> held_stick;  ///< S_f
+    std::optional<bool> fixed_closed; ///< S_c until the residual has converged
+    std::optional<bool> fixed_stick;  ///< S_f
     unsigned int        n_treatments = 0; ///< in the present solve
-    unsigned int        n_holds      = 0; ///< likewise
+    unsigned int        n_fixed      = 0; ///< likewise
 
-    /// Frees the statuses. True if one was held.
+    /// Frees the statuses. True if one was fixed.
     bool
     release()
     {
-      const bool held = held_closed || held_stick;
-      held_closed.reset();
-      held_stick.reset();
-      return held;
+      const bool was_fixed = fixed_closed || fixed_stick;
+      fixed_closed.reset();
+      fixed_stick.reset();
+      return was_fixed;
     }
   };
 
@@ -101,8 +101,8 @@ namespace stickslip
     std::vector<Tensor<2, dim - 1>> nodal_rotations;
     RestrainedSlip<dim>             restrained;
 
-    ObservedState<dim> observed; ///< by the last residual or tangent
-    PointCure          cure;
+    ObservedState<dim>  observed; ///< by the last residual or tangent
+    PointCycleTreatment treatment;
 
     Tensor<1, dim> accumulated_slip; ///< history [length]
   };
