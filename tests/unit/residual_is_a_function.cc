@@ -175,6 +175,10 @@ namespace
         bool is_function = true, is_changed = false;
         for (const unsigned int iterate : {0, 1})
           {
+            // accepted back and forth, so that points keep the facet that they
+            // remember
+            for (unsigned int i = 0; i < 20 * iterate; ++i)
+              problem.begin_iteration(states[i % 2 == 0 ? 2 : 0]);
             problem.begin_iteration(states[iterate]);
             std::vector<Answer> first;
             for (const auto &x : states)
