@@ -19,6 +19,17 @@ namespace stickslip
 
 
 
+    /// The least threshold that r_t follows, over the largest of the pair.
+    constexpr double least_threshold = 0.01;
+
+
+
+    /// The least friction coefficient that r_t follows before the first
+    /// pressure.
+    constexpr double least_friction_coefficient = 1e-3;
+
+
+
     /// Size of the open Lambda rows beside the closed ones: so small that the
     /// sum over the points of a node hardly jumps when one of them opens.
     constexpr double open_row_factor = 1e-6;
@@ -105,9 +116,10 @@ namespace stickslip
             const double       k     = contact_stiffness(*pair, point);
             const double       height =
               pair->slave_faces[point.geometry.slave_face].face.diameter;
-            double s = std::max(thresholds[i], 0.01 * largest);
+            double s = std::max(thresholds[i], least_threshold * largest);
             if (s == 0.)
-              s = std::max(parameters.friction_coefficient, 1e-3) *
+              s = std::max(parameters.friction_coefficient,
+                           least_friction_coefficient) *
                   expected_strain * k * height;
             Regularization &r               = point.regularization;
             ContactScales  &scales          = point.scales;
