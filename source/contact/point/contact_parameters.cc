@@ -287,9 +287,10 @@ namespace stickslip
                "Normals",
                normals,
                all_normals(),
-               "facet: the master facet's own normal. smoothed: "
-               "interpolated from nodal averages, continuous across "
-               "facets.");
+               "smoothed: interpolated from nodal averages, continuous across "
+               "facets. facet: the master facet's own normal, as in the "
+               "paper; it jumps from facet to facet, so that sliding over a "
+               "curved surface without friction still takes work.");
     prm.add_parameter(
       "Smoothing angle",
       smoothing_angle,

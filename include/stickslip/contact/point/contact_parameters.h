@@ -135,7 +135,7 @@ namespace stickslip
     ContactRule     quadrature       = ContactRule::nodal;
     unsigned int    quadrature_order = 2;
 
-    Normals                   normals              = Normals::facet;
+    Normals                   normals              = Normals::smoothed;
     double                    smoothing_angle      = 60.;
     double                    search_distance      = 0.;
     double                    projection_tolerance = 0.05;
