@@ -47,8 +47,8 @@ namespace
     return result;
   }
 
-  // The status of the first is closed up to r = 2, that of the second always.
-  const auto opens  = observed(ContactState::open, -2., -1.);
+  // The status of the first is closed up to r = 3, that of the second always.
+  const auto opens  = observed(ContactState::open, -3., -1.);
   const auto closes = observed(ContactState::stick, -1., 1.);
   // The first slips from r = 0.5, the second from r = 2.
   const auto slips  = observed(ContactState::slip, -8., 0., 0.5, 1.);
@@ -155,7 +155,7 @@ namespace
     for (const unsigned int period : {2, 3})
       {
         const std::string name = "period " + std::to_string(period) + ", ";
-        // 1 is half of what lets the status differ, 20/3 and 4 are beyond
+        // 1.5 is half of the bound; at 20/3 and 6 the statuses differ
         PlantedCycle normal(plain);
         report(name + "contact/open",
                normal,
@@ -177,10 +177,13 @@ namespace
               tangential.points()[3].regularization.r_t_status == 1e6);
       }
     PlantedCycle near(automatic);
-    report("at 20/3, nearer than 1", near, near.repeat({opens, closes}));
+    report("at 20/3, nearer than 1.5", near, near.repeat({opens, closes}));
     PlantedCycle again(plain);
     again.repeat({opens, closes});
     report("a second time", again, again.repeat({opens, closes}));
+    PlantedCycle other(plain);
+    other.repeat({opens, closes});
+    report("then stick/slip", other, other.repeat({slips, sticks}));
     PlantedCycle off(plain, false);
     report("'Adapt r' off", off, off.repeat({opens, closes}));
   }
@@ -203,6 +206,19 @@ namespace
     print("  released", normal.treatment.release());
     print("  nothing is left to release", !normal.treatment.release());
     std::cout << "  then " << normal.status() << '\n';
+
+    // five of the six records that prove a cycle, and one after the release
+    PlantedCycle forgets(automatic);
+    forgets.repeat({always_open, always_closed});
+    CycleTreatment result = CycleTreatment::none;
+    for (unsigned int i = 0; i < 6; ++i)
+      {
+        if (i == 5)
+          forgets.treatment.release();
+        forgets.point().observed = i % 2 == 0 ? always_open : always_closed;
+        result                   = forgets.treatment.observe(i == 5);
+      }
+    std::cout << "  a cycle across the release: " << text_of(result) << '\n';
 
     PlantedCycle tangential(automatic);
     for (const std::string time : {"first", "second", "third", "fourth"})
