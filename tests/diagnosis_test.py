@@ -134,7 +134,7 @@ check(f"histories {[row['history'] for row in rows]}", all(len(row["history"]) =
 check("the state of all points is known", all(row["status"] in ("open", "stick", "slip") for row in rows))
 
 # A run that has to cut and completes.
-result = run("cut", {HAND + "Value": "0; -0.4*t", "Load stepping/Minimum step": "0.001", "Algorithm/Newton/Max iterations": "7"})
+result = run("cut", {HAND + "Value": "0; -0.4*t", "Load stepping/Minimum step": "0.001", "Algorithm/Newton/Max iterations": "5"})
 summary = run("cut", arguments=["--diagnose", "cut"]).stdout
 check(f"the run with cuts: exit code {result.returncode}\n{result.stderr}", result.returncode == 0)
 for text in ("done, ", "Why a step was cut the last time", "max_penetration", "solve_seconds", " %"):
