@@ -9,30 +9,67 @@
 
 namespace stickslip
 {
-  template <int dim>
-  ContactGeometry<dim>::ContactGeometry(ContactAssembler<dim>  &contact,
-                                        const ConfigureContact &configure)
+  template <int dim, typename Value>
+  PointQuantity<dim, Value>::PointQuantity(const std::string &name,
+                                           bool Liveness::*const flag,
+                                           const bool may_fetch_patches,
+                                           ContactAssembler<dim>  &contact,
+                                           const ConfigureContact &configure)
     : contact(contact)
+    , label(name)
+    , flag(flag)
+    , may_fetch_patches(may_fetch_patches)
     , configure(configure)
   {}
 
 
 
-  template <int dim>
-  std::string
-  ContactGeometry<dim>::name() const
-  {
-    return "geometry";
-  }
-
-
-
-  template <int dim>
+  template <int dim, typename Value>
   void
-  ContactGeometry<dim>::set_live(const bool live)
+  PointQuantity<dim, Value>::evaluate(const LA::BlockVector &x)
   {
-    contact.live.geometry = live;
+    configure(x, may_fetch_patches);
+    values.clear();
+    for_each_point(contact, [this](const auto &pair, const auto &point) {
+      values.push_back(value_at(pair, point));
+    });
   }
+
+
+
+  template <int dim, typename Value>
+  void
+  PointQuantity<dim, Value>::accept()
+  {
+    for_each_value(
+      [this](auto &point, const Value &value) { freeze(point, value); });
+  }
+
+
+
+  template <int dim, typename Value>
+  template <typename Visitor>
+  void
+  PointQuantity<dim, Value>::for_each_value(const Visitor &visit) const
+  {
+    std::size_t i = 0;
+    for_each_point(contact, [&](const auto &, auto &point) {
+      AssertIndexRange(i, values.size());
+      visit(point, values[i++]);
+    });
+  }
+
+
+
+  template <int dim>
+  ContactGeometry<dim>::ContactGeometry(ContactAssembler<dim>  &contact,
+                                        const ConfigureContact &configure)
+    : PointQuantity<dim, Pairing<dim>>("geometry",
+                                       &Liveness::geometry,
+                                       true,
+                                       contact,
+                                       configure)
+  {}
 
 
 
@@ -40,14 +77,7 @@ namespace stickslip
   void
   ContactGeometry<dim>::evaluate(const LA::BlockVector &x)
   {
-    configure(x, true);
-    pairings.clear();
-    for (const auto &pair : contact.contact_pairs())
-      {
-        pairings.emplace_back();
-        for (const auto &point : pair->points)
-          pairings.back().push_back(pair->find_pairing(point));
-      }
+    PointQuantity<dim, Pairing<dim>>::evaluate(x);
     evaluated_at = x.block(0);
   }
 
@@ -71,13 +101,7 @@ namespace stickslip
   void
   ContactGeometry<dim>::accept()
   {
-    for (unsigned int p = 0; p < pairings.size(); ++p)
-      for (unsigned int i = 0; i < pairings[p].size(); ++i)
-        {
-          ContactPoint<dim> &point = contact.contact_pairs()[p]->points[i];
-          point.pairing            = pairings[p][i];
-          point.hysteresis.accept_iterate(point.pairing);
-        }
+    PointQuantity<dim, Pairing<dim>>::accept();
     accepted_at = evaluated_at;
   }
 
@@ -87,43 +111,12 @@ namespace stickslip
   FrictionThresholdField<dim>::FrictionThresholdField(
     ContactAssembler<dim>  &contact,
     const ConfigureContact &configure)
-    : contact(contact)
-    , configure(configure)
+    : PointQuantity<dim, double>("threshold",
+                                 &Liveness::threshold,
+                                 false,
+                                 contact,
+                                 configure)
   {}
-
-
-
-  template <int dim>
-  std::string
-  FrictionThresholdField<dim>::name() const
-  {
-    return "threshold";
-  }
-
-
-
-  template <int dim>
-  void
-  FrictionThresholdField<dim>::set_live(const bool live)
-  {
-    contact.live.threshold = live;
-  }
-
-
-
-  template <int dim>
-  void
-  FrictionThresholdField<dim>::evaluate(const LA::BlockVector &x)
-  {
-    configure(x, false);
-    thresholds.clear();
-    for (const auto &pair : contact.contact_pairs())
-      {
-        thresholds.emplace_back();
-        for (const auto &point : pair->points)
-          thresholds.back().push_back(contact.live_threshold(*pair, point));
-      }
-  }
 
 
 
@@ -132,30 +125,15 @@ namespace stickslip
   FrictionThresholdField<dim>::change() const
   {
     double difference = 0., largest = 0.;
-    for (unsigned int p = 0; p < thresholds.size(); ++p)
-      for (unsigned int i = 0; i < thresholds[p].size(); ++i)
-        {
-          const double frozen =
-            contact.contact_pairs()[p]->points[i].frozen.threshold;
-          difference =
-            std::max(difference, std::abs(thresholds[p][i] - frozen));
-          largest = std::max({largest, thresholds[p][i], frozen});
-        }
-    difference = Utilities::MPI::max(difference, contact.get_communicator());
-    largest    = Utilities::MPI::max(largest, contact.get_communicator());
+    this->for_each_value([&](const auto &point, const double threshold) {
+      const double frozen = point.frozen.threshold;
+      difference          = std::max(difference, std::abs(threshold - frozen));
+      largest             = std::max({largest, threshold, frozen});
+    });
+    const MPI_Comm &communicator = this->contact.get_communicator();
+    difference = Utilities::MPI::max(difference, communicator);
+    largest    = Utilities::MPI::max(largest, communicator);
     return largest > 0. ? difference / largest : 0.;
-  }
-
-
-
-  template <int dim>
-  void
-  FrictionThresholdField<dim>::accept()
-  {
-    for (unsigned int p = 0; p < thresholds.size(); ++p)
-      for (unsigned int i = 0; i < thresholds[p].size(); ++i)
-        contact.contact_pairs()[p]->points[i].frozen.threshold =
-          thresholds[p][i];
   }
 
 
@@ -163,43 +141,12 @@ namespace stickslip
   template <int dim>
   ContactStatusField<dim>::ContactStatusField(ContactAssembler<dim>  &contact,
                                               const ConfigureContact &configure)
-    : contact(contact)
-    , configure(configure)
+    : PointQuantity<dim, bool>("status",
+                               &Liveness::status,
+                               false,
+                               contact,
+                               configure)
   {}
-
-
-
-  template <int dim>
-  std::string
-  ContactStatusField<dim>::name() const
-  {
-    return "status";
-  }
-
-
-
-  template <int dim>
-  void
-  ContactStatusField<dim>::set_live(const bool live)
-  {
-    contact.live.status = live;
-  }
-
-
-
-  template <int dim>
-  void
-  ContactStatusField<dim>::evaluate(const LA::BlockVector &x)
-  {
-    configure(x, false);
-    closed.clear();
-    for (const auto &pair : contact.contact_pairs())
-      {
-        closed.emplace_back();
-        for (const auto &point : pair->points)
-          closed.back().push_back(contact.live_closed(*pair, point));
-      }
-  }
 
 
 
@@ -208,22 +155,10 @@ namespace stickslip
   ContactStatusField<dim>::change() const
   {
     unsigned int flips = 0;
-    for (unsigned int p = 0; p < closed.size(); ++p)
-      for (unsigned int i = 0; i < closed[p].size(); ++i)
-        flips +=
-          closed[p][i] != contact.contact_pairs()[p]->points[i].frozen.closed;
-    return Utilities::MPI::sum(flips, contact.get_communicator());
-  }
-
-
-
-  template <int dim>
-  void
-  ContactStatusField<dim>::accept()
-  {
-    for (unsigned int p = 0; p < closed.size(); ++p)
-      for (unsigned int i = 0; i < closed[p].size(); ++i)
-        contact.contact_pairs()[p]->points[i].frozen.closed = closed[p][i];
+    this->for_each_value([&flips](const auto &point, const bool closed) {
+      flips += closed != point.frozen.closed;
+    });
+    return Utilities::MPI::sum(flips, this->contact.get_communicator());
   }
 
 
@@ -233,18 +168,16 @@ namespace stickslip
   ContactStatusField<dim>::fingerprint() const
   {
     // a sum of one random number per closed point, whatever the order
-    const unsigned int rank =
-      Utilities::MPI::this_mpi_process(contact.get_communicator());
-    std::uint64_t sum  = 1;
-    unsigned int  seed = 0;
-    for (const auto &pair : contact.contact_pairs())
-      for (const auto &point : pair->points)
-        {
-          ++seed;
-          if (point.frozen.closed)
-            sum += mixed_bits(std::uint64_t(rank) << 32 | seed);
-        }
-    return Utilities::MPI::sum(sum, contact.get_communicator());
+    const MPI_Comm     &communicator = this->contact.get_communicator();
+    const std::uint64_t rank = Utilities::MPI::this_mpi_process(communicator);
+    std::uint64_t       sum  = 1;
+    unsigned int        seed = 0;
+    for_each_point(this->contact, [&](const auto &, const auto &point) {
+      ++seed;
+      if (point.frozen.closed)
+        sum += mixed_bits(rank << 32 | seed);
+    });
+    return Utilities::MPI::sum(sum, communicator);
   }
 
   template class ContactGeometry<2>;
