@@ -15,7 +15,7 @@ namespace stickslip
   {
     /// Facet changes among the last iterations that are more than Newton's
     /// first ones explain.
-    constexpr unsigned int many_facet_changes = 8;
+    constexpr unsigned int hopping_facet_changes = 8;
 
     /// A limit of Newton iterations below this may be the cause itself.
     constexpr unsigned int usual_iterations = 15;
@@ -143,7 +143,7 @@ namespace stickslip
       const auto group = find_group<dim>(
         step,
         [](const auto &point) {
-          return point.n_facet_changes >= many_facet_changes;
+          return point.n_facet_changes >= hopping_facet_changes;
         },
         communicator);
       if (group.n == 0)

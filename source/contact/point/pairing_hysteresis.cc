@@ -1,5 +1,7 @@
 #include <stickslip/contact/point/pairing_hysteresis.h>
 
+#include <algorithm>
+
 namespace stickslip
 {
   namespace
@@ -15,6 +17,23 @@ namespace stickslip
           return true;
       return false;
     }
+
+
+
+    /// Factors of 'Facet overlap'.
+    constexpr double       overlap_of_level[] = {0., 1., 10., 50.};
+    constexpr unsigned int last_level         = 3;
+
+
+
+    template <int dim>
+    unsigned int
+    overlap_level(const unsigned int n_facet_changes)
+    {
+      return std::min(n_facet_changes /
+                        PairingHysteresis<dim>::facet_changes_per_level,
+                      last_level);
+    }
   } // namespace
 
 
@@ -23,8 +42,8 @@ namespace stickslip
   EdgeRetention
   PairingHysteresis<dim>::retention() const
   {
-    const unsigned int n = counted_facet_changes() / many_facet_changes;
-    return {n == 0 ? 0. : n == 1 ? 1. : n == 2 ? 10. : 50., keeps_beyond_end()};
+    const unsigned int level = overlap_level<dim>(counted_facet_changes());
+    return {overlap_of_level[level], keeps_beyond_end()};
   }
 
 
@@ -85,8 +104,8 @@ namespace stickslip
   bool
   PairingHysteresis<dim>::switches_facets() const
   {
-    return n_facet_changes / many_facet_changes >
-           at_last_step.facet_changes / many_facet_changes;
+    return overlap_level<dim>(n_facet_changes) >
+           overlap_level<dim>(at_last_step.facet_changes);
   }
 
 

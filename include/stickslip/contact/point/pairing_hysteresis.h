@@ -33,9 +33,11 @@ namespace stickslip
   class PairingHysteresis
   {
   public:
-    /// Changes in a step that make a point one that switches: Newton's first
-    /// iterations explain fewer of them.
-    static constexpr unsigned int many_facet_changes   = 6;
+    /// Changes of the facet in a step that widen the overlap by one level:
+    /// Newton's first iterations explain fewer of them.
+    static constexpr unsigned int facet_changes_per_level = 6;
+
+    /// Changes of the partner in a step after which it is kept beyond the end.
     static constexpr unsigned int many_partner_changes = 4;
 
     /// The state at the end of the last accepted step, for checkpoints.
@@ -92,11 +94,13 @@ namespace stickslip
       return is_active;
     }
 
-    /// From facet to facet in this step, often enough for retention().
+    /// From facet to facet in this step, so often that retention() widens the
+    /// overlap when active.
     bool
     switches_facets() const;
 
-    /// Likewise, to and fro over the end of the master surface.
+    /// To and fro over the end of the master surface, so often that retention()
+    /// keeps the partner when active.
     bool
     switches_at_end() const
     {
