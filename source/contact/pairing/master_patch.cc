@@ -1,5 +1,7 @@
 #include <stickslip/contact/pairing/master_patch.h>
 
+#include <stickslip/contact/pairing/face_boxes.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
@@ -21,92 +23,45 @@ namespace stickslip
     /// The most that a facet is extended, as a fraction of the face.
     constexpr double largest_overlap = 0.5;
 
+    /// The facet of the last pairing is kept without a search while the point
+    /// is nearer to it than this fraction of the face, ...
+    constexpr double kept_within = 0.25;
+
+    /// ... or than this one if the point has an overlap: far away another face
+    /// may be the nearer one, not indefinitely.
+    constexpr double kept_within_with_overlap = 1.;
+
+    /// Edges and corners are not searched if the point is nearer to the face on
+    /// which it projects than this fraction of it.
+    constexpr double edges_ignored_within = 0.25;
+
+    /// Beyond that an edge is the partner if its distance is below this
+    /// fraction of the distance of the face.
+    constexpr double edge_preferred_below = 0.5;
+
+    /// Overshoot over an edge that is allowed per distance. Over a convex edge
+    /// the overshoot shrinks with the gap; beyond the end of the surface it
+    /// does not.
+    constexpr double overshoot_per_distance = 0.8;
+
+    /// Least cosine of the angle between the slave's outward normal and n for a
+    /// facet to be found: one that looks away is the far side of a thin body.
+    constexpr double least_facing_to_find = 0.1;
+
+    /// The same for the facet of the last pairing to be kept.
+    constexpr double least_facing_to_keep = 0.1;
+
+    /// Curved faces may bulge out of the box of their nodes by this fraction of
+    /// its diagonal.
+    constexpr double bulge = 0.1;
+
     /// Boxes that each rank announces: enough to follow a bent surface.
     constexpr unsigned int n_announced_boxes = 16;
 
-
-
+    /// The nearest few faces nearly always hold the answer; bent surfaces with
+    /// large boxes need all within the search distance.
     template <int dim>
-    BoundingBox<dim>
-    box_of(const std::vector<Tensor<1, dim>> &positions,
-           const unsigned int                 n,
-           const double                       relative_margin)
-    {
-      Point<dim> low(positions[0]), high(positions[0]);
-      for (unsigned int j = 1; j < n; ++j)
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            low[c]  = std::min(low[c], positions[j][c]);
-            high[c] = std::max(high[c], positions[j][c]);
-          }
-      // curved faces may bulge out of the box of their nodes
-      const double margin = relative_margin * low.distance(high);
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          low[c] -= margin;
-          high[c] += margin;
-        }
-      return BoundingBox<dim>(std::make_pair(low, high));
-    }
-
-
-
-    template <int dim>
-    BoundingBox<dim>
-    enlarged(const BoundingBox<dim> &box, const double amount)
-    {
-      auto points = box.get_boundary_points();
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          points.first[c] -= amount;
-          points.second[c] += amount;
-        }
-      return BoundingBox<dim>(points);
-    }
-
-
-
-    /// Few boxes that cover many, by splitting along the longest direction.
-    template <int dim>
-    std::vector<BoundingBox<dim>>
-    summarize(std::vector<BoundingBox<dim>> boxes, const unsigned int at_most)
-    {
-      if (boxes.size() <= 1 || at_most <= 1)
-        {
-          if (boxes.size() > 1)
-            {
-              BoundingBox<dim> all = boxes[0];
-              for (const auto &box : boxes)
-                all.merge_with(box);
-              boxes = {all};
-            }
-          return boxes;
-        }
-      Point<dim> low = boxes[0].center(), high = low;
-      for (const auto &box : boxes)
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            low[c]  = std::min(low[c], box.center()[c]);
-            high[c] = std::max(high[c], box.center()[c]);
-          }
-      unsigned int longest = 0;
-      for (unsigned int c = 1; c < dim; ++c)
-        if (high[c] - low[c] > high[longest] - low[longest])
-          longest = c;
-      const auto middle = boxes.begin() + boxes.size() / 2;
-      std::nth_element(boxes.begin(),
-                       middle,
-                       boxes.end(),
-                       [longest](const auto &a, const auto &b) {
-                         return a.center()[longest] < b.center()[longest];
-                       });
-      using Boxes  = std::vector<BoundingBox<dim>>;
-      Boxes result = summarize<dim>(Boxes(boxes.begin(), middle), at_most / 2);
-      for (const auto &box :
-           summarize<dim>(Boxes(middle, boxes.end()), at_most / 2))
-        result.push_back(box);
-      return result;
-    }
+    constexpr unsigned int n_near = dim == 2 ? 6 : 16;
   } // namespace
 
 
@@ -157,7 +112,7 @@ namespace stickslip
     for (unsigned int f = 0; f < owned.size(); ++f)
       {
         read_positions(owned[f], owned[f].n_nodes, u, positions);
-        boxes.emplace_back(box_of(positions, owned[f].n_nodes, 0.1), f);
+        boxes.emplace_back(box_of(positions, owned[f].n_nodes, bulge), f);
       }
     const RTree<Box> owned_tree = pack_rtree(boxes);
 
@@ -240,8 +195,8 @@ namespace stickslip
                        current[f].positions);
         update_nodal_normals(faces[f], current[f]);
         read_positions(faces[f], faces[f].n_nodes, u_old, old[f].positions);
-        boxes.emplace_back(box_of(current[f].positions, faces[f].n_nodes, 0.1),
-                           f);
+        boxes.emplace_back(
+          box_of(current[f].positions, faces[f].n_nodes, bulge), f);
       }
     tree = pack_rtree(boxes);
   }
@@ -292,13 +247,11 @@ namespace stickslip
             ? project_on_boundary_of_face(faces[f], current[f], shape, x_s)
             : project_on_face(
                 faces[f], current[f], shape, x_s, inside_tolerance);
-        // Over a convex edge the overshoot shrinks with the gap; beyond the end
-        // of the surface it does not.
         const double allowed =
           (tolerances.projection_tolerance +
            (retention.beyond_end ? tolerances.end_overlap : 0.)) *
             faces[f].diameter +
-          0.8 * projection.distance;
+          overshoot_per_distance * projection.distance;
         if (!projection.found ||
             projection.distance > tolerances.search_distance ||
             projection.overshoot > allowed)
@@ -309,8 +262,7 @@ namespace stickslip
           continue;
         evaluate_master_point(
           faces[f], current[f], shape, projection.xi, point);
-        // a facet that looks away is the far side of a thin body
-        if (point.n * slave_normal <= 0.1)
+        if (point.n * slave_normal <= least_facing_to_find)
           continue;
         distance     = std::min(distance, projection.distance);
         best.paired  = true;
@@ -345,8 +297,9 @@ namespace stickslip
                                                 std::clamp(overlap,
                                                            inside_tolerance,
                                                            largest_overlap));
-        // far away another face may be the nearer one, not indefinitely
-        const double farthest = (overlap > 0. ? 1. : 0.25) * faces[f].diameter;
+        const double       farthest =
+          (overlap > 0. ? kept_within_with_overlap : kept_within) *
+          faces[f].diameter;
         if (projection.found && projection.distance < farthest)
           {
             MasterPoint<dim> point;
@@ -356,20 +309,18 @@ namespace stickslip
             frame.free.fill(true);
             frame.xi = projection.xi;
             frame.n  = point.n;
-            if (frame.n * slave_normal > 0.1)
+            if (frame.n * slave_normal > least_facing_to_keep)
               return frame;
           }
       }
-    // The nearest few faces nearly always hold the answer; bent surfaces with
-    // large boxes need all within the search distance.
-    const unsigned int n_near = dim == 2 ? 6 : 16;
-    auto               near   = candidates(x_s, n_near);
-    double             distance, edge_distance;
-    Pairing<dim>       frame =
+    auto         near = candidates(x_s, n_near<dim>);
+    double       distance, edge_distance;
+    Pairing<dim> frame =
       nearest(x_s, slave_normal, near, retention, false, distance);
-    if (frame.paired && distance < 0.25 * faces[frame.face].diameter)
+    if (frame.paired &&
+        distance < edges_ignored_within * faces[frame.face].diameter)
       return frame;
-    if (!frame.paired && near.size() == n_near)
+    if (!frame.paired && near.size() == n_near<dim>)
       {
         near  = candidates(x_s, faces.size());
         frame = nearest(x_s, slave_normal, near, retention, false, distance);
@@ -378,7 +329,9 @@ namespace stickslip
     // some face far away.
     const Pairing<dim> edge =
       nearest(x_s, slave_normal, near, retention, true, edge_distance);
-    return edge.paired && edge_distance < 0.5 * distance ? edge : frame;
+    return edge.paired && edge_distance < edge_preferred_below * distance
+             ? edge
+             : frame;
   }
 
   template void
