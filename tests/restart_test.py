@@ -108,8 +108,11 @@ end
 TOLERANCE = 1e-9
 TABLES = {"points.csv": None, "resultants.csv": None,
           "statistics.csv": ["step", "time", "external_work", "friction_work"]}
-CONTROL_OPTIONS = ["Load stepping/Minimum step=0.01", "Load stepping/Initial step=1", "Load stepping/Requested times=3",
-                   "Algorithm/Newton/Max iterations=4"]
+FALLBACK_OPTIONS = ["Load stepping/Minimum step=0.01", "Load stepping/Requested times=3", "Algorithm/Newton/Max iterations=4"]
+# Six iterations are enough for short steps, five count as easy.
+CUT_OPTIONS = ["Load stepping/Minimum step=0.01", "Load stepping/Requested times=3", "Algorithm/Newton/Max iterations=6",
+               "Load stepping/Easy iterations=5", "Algorithm/Name=GNM",
+               "Boundary conditions/drag/Value=0.6*max(t-1, 0) - 1.2*max(t-4, 0); -0.02*min(t, 1)"]
 failures = []
 
 
@@ -244,20 +247,39 @@ def decisions_of(directory):
             for row in rows_of(directory / "statistics.csv")]
 
 
-def test_step_control(runs):
-    """A run with fallback algorithms makes the same attempts when it is interrupted. The requested time
-    makes the first half end where the whole run has a step, too."""
-    options = CONTROL_OPTIONS
-    runs.run("control", 1, options=options)
-    whole = decisions_of(runs.directory / "control")
+def compare_decisions(runs, name, options, times):
+    """Interrupts a run at times where the whole one has a step, too; returns its decisions."""
+    runs.run(name, 1, options=options)
+    whole = decisions_of(runs.directory / name)
     print("\n".join("    " + " ".join(row) for row in whole))
+    for time in times:
+        part = f"{name}-to-{time}"
+        no_later_times = ["Load stepping/Requested times="] if time < 3 else []
+        runs.run(part, 1, options=options + [f"Load stepping/End time={time}"] + no_later_times)
+        runs.run(part, 1, "latest", options)
+        check(decisions_of(runs.directory / part) == whole,
+              f"continued at {time}, a run decides as one that is not interrupted: {decisions_of(runs.directory / part)}")
+        compare(runs, part, name)
+    return whole
+
+
+def test_fallback(runs):
+    """The same attempts with fallback algorithms."""
+    whole = compare_decisions(runs, "fallback", FALLBACK_OPTIONS, [3])
     check(sum(int(row[4]) for row in whole if float(row[0]) <= 3) > 0, "attempts have failed in the first half")
     check(len({row[1] for row in whole}) > 1, "another algorithm than the first was needed")
-    runs.run("control-half", 1, options=options + ["Load stepping/End time=3"])
-    runs.run("control-half", 1, "latest", options)
-    check(decisions_of(runs.directory / "control-half") == whole,
-          f"a continued run decides as one that is not interrupted: {decisions_of(runs.directory / 'control-half')}")
-    compare(runs, "control-half", "control")
+
+
+def test_cuts_and_growth(runs):
+    """The same sizes of steps. At 2 growth waits after cuts, at 2.25 a step has grown, after 3 one is cut."""
+    whole = compare_decisions(runs, "cuts", CUT_OPTIONS, [2, 2.25, 3])
+    times = [0.] + [float(row[0]) for row in whole]
+    sizes = [after - before for before, after in zip(times, times[1:])]
+    n = times.index(3.)
+    for half, steps in (("first", range(1, n)), ("second", range(n + 1, len(sizes)))):
+        check(any(sizes[i] > 1.1 * sizes[i - 1] for i in steps), f"steps have grown in the {half} half")
+    for half, rows in (("first", whole[:n]), ("second", whole[n:])):
+        check(any(int(row[3]) > 0 for row in rows), f"steps were cut in the {half} half")
 
 
 def test_failed_run(runs):
@@ -318,7 +340,7 @@ def test_refused(runs):
 
 def main():
     runs = Runs(sys.argv[1], pathlib.Path(sys.argv[2]))
-    for test in (test_partitions, test_path_dependence, test_algorithms, test_step_control, test_failed_run, test_refused):
+    for test in (test_partitions, test_path_dependence, test_algorithms, test_fallback, test_cuts_and_growth, test_failed_run, test_refused):
         test(runs)
     print(f"{len(failures)} comparisons failed")
     return 1 if failures else 0

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace stickslip
 {
@@ -106,7 +107,7 @@ namespace stickslip
       using Sums = ContactSums<dim>;
 
       const auto count = [&](const unsigned int scalar) {
-        return static_cast<unsigned int>(sums.scalars[scalar] + 0.5);
+        return static_cast<unsigned int>(std::lround(sums.scalars[scalar]));
       };
 
       ContactResultants<dim> result;

@@ -111,6 +111,15 @@ namespace
       contact.press([](const double) { return -8.; });
       print_scales("factors 3 and, of one, 1/2", contact);
     }
+    {
+      // open or closed by lambda_n + 100 x 0.06, Coulomb's threshold from
+      // lambda_n + k 0.06: at x = 1 open, although the threshold would be 2
+      PlantedContact contact(two_blocks(
+        nodal + "set Gap offset = 0.06\n" +
+        regularization("set r_n status = 15\nset r_n augmentation = 1\n")));
+      contact.press([](const double x) { return x < 0.5 ? -8.4 : -4.4; });
+      print_scales("s = 4; open with a gap: not 2, k/s = 5/3, 500/3", contact);
+    }
   }
 
 
