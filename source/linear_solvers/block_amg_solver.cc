@@ -24,6 +24,12 @@ namespace stickslip
 
 
 
+    /// An old hierarchy is given up after twice the best iterations and this
+    /// many.
+    constexpr unsigned int patience_with_old = 12;
+
+
+
     /// Share of the augmentation that may change before the hierarchy has to.
     constexpr double outdated_share = 0.1;
 
@@ -222,7 +228,7 @@ namespace stickslip
         // give an old hierarchy up early
         const unsigned int patience =
           std::min<double>(parameters.max_iterations,
-                           2. * best * digits + 4 * usual_variation);
+                           2. * best * digits + patience_with_old);
         result.iterations = iterate(x, rhs, tolerance, patience, converged);
         if (!converged)
           build_hierarchy();
