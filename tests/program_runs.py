@@ -1,5 +1,6 @@
 """What the tests that start the program several times have in common."""
 import csv
+import os
 import pathlib
 import shutil
 import subprocess
@@ -18,11 +19,16 @@ def fresh_directory(path):
     return path
 
 
+def environment_of(ranks):
+    """The environment of a run: on one rank nobody is waited for (scripts/environment)."""
+    return {**os.environ, **({"OMPI_MCA_mpi_yield_when_idle": "0"} if ranks == 1 else {})}
+
+
 def start(program, arguments, ranks=1):
     """Runs PROGRAM in the present directory; output and errors apart."""
     # mpirun would have the last word about a failure: alone if one rank is enough
     command = [program] if ranks == 1 else ["mpirun", "--oversubscribe", "-np", str(ranks), program]
-    return subprocess.run(command + list(arguments), capture_output=True, text=True)
+    return subprocess.run(command + list(arguments), capture_output=True, text=True, env=environment_of(ranks))
 
 
 def settings(overrides):

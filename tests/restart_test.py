@@ -16,7 +16,7 @@ import struct
 import subprocess
 import sys
 
-from program_runs import fresh_directory, rows_of
+from program_runs import environment_of, fresh_directory, rows_of
 
 CASE = """
 set Dimension = 2
@@ -135,7 +135,8 @@ class Runs:
             command += ["--set", option]
         if restart:
             command += ["--restart", restart]
-        result = subprocess.run(command, cwd=self.directory, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        result = subprocess.run(command, cwd=self.directory, env=environment_of(n_ranks), stdout=subprocess.PIPE,
+                                stderr=subprocess.STDOUT, text=True)
         # mpirun frames its own messages in dashes
         printed = re.sub(r"^-{20,}\n.*?^-{20,}\n", "", result.stdout, flags=re.DOTALL | re.MULTILINE)
         if result.returncode != exit_code:
