@@ -3,6 +3,9 @@
 #include <stickslip/base/print_parameters.h>
 #include <stickslip/base/user_error.h>
 
+#include <stickslip/mesh/generator_page.h>
+#include <stickslip/mesh/mesh_inspection_text.h>
+
 #include <stickslip/output/output_directory.h>
 
 #include <stickslip/simulation/case_parameters.h>
@@ -15,6 +18,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <string>
 
 #ifdef __GLIBC__
@@ -108,7 +112,12 @@ namespace
     else
       read_case(command_line, parameters, prm);
     if (is_speaker())
-      print_parameters(std::cout, prm, command_line.format);
+      {
+        print_parameters(std::cout, prm, command_line.format);
+        if (command_line.format == ParameterFormat::markdown &&
+            command_line.parameter_file.empty())
+          print_generators(std::cout);
+      }
   }
 
 
@@ -118,6 +127,28 @@ namespace
   {
     throw_collectively(is_speaker() ? summarize_run(directory, std::cout) : "",
                        MPI_COMM_WORLD);
+  }
+
+
+
+  /// One rank looks at the file; all throw if it cannot.
+  void
+  print_mesh(const CommandLine &command_line)
+  {
+    std::string error;
+    if (is_speaker())
+      try
+        {
+          const MeshInspection inspection =
+            inspect_mesh(command_line.mesh_file);
+          (command_line.json ? print_inspection_json
+                             : print_inspection)(std::cout, inspection);
+        }
+      catch (const UserError &exception)
+        {
+          error = exception.what();
+        }
+    throw_collectively(error, MPI_COMM_WORLD);
   }
 
 
@@ -140,6 +171,9 @@ namespace
           return success;
         case CommandLine::Action::diagnose:
           print_summary(command_line.output_directory);
+          return success;
+        case CommandLine::Action::inspect_mesh:
+          print_mesh(command_line);
           return success;
         default:
           break;
@@ -182,6 +216,16 @@ main(int argc, char **argv)
     {
       report("no convergence", failure.what());
       return no_convergence;
+    }
+  catch (const std::bad_alloc &)
+    {
+      std::cerr << "stickslip: out of memory on rank "
+                << Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)
+                << ": the case needs more than this machine has free. Take a "
+                   "coarser mesh, a lower degree or more machines."
+                << std::endl;
+      MPI_Abort(MPI_COMM_WORLD, wrong_input);
+      return wrong_input;
     }
   catch (const std::exception &error)
     {

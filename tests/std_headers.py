@@ -19,7 +19,7 @@ NAMES_OF_HEADERS = {
     "cmath": "acos asin atan atan2 cbrt ceil copysign cos cosh exp expm1 fabs floor fma fmod hypot isfinite isinf isnan ldexp log"
              " log10 log1p log2 lround nearbyint pow remainder round sin sinh sqrt tan tanh trunc",
     "cmath cstdlib": "abs",
-    "cstdint": "int32_t int64_t uint16_t uint32_t uint64_t uint8_t",
+    "cstdint": "int16_t int32_t int64_t int8_t uint16_t uint32_t uint64_t uint8_t",
     "cstdio": "fclose FILE fopen fprintf perror printf rename snprintf",
     "cstdlib": "abort atof atoi atol exit getenv strtod strtol system",
     "cstring": "memcmp memcpy memset strcmp strerror strlen",

@@ -22,6 +22,7 @@ namespace stickslip
                                                      "--output-directory",
                                                      "--restart",
                                                      "--diagnose",
+                                                     "--inspect-mesh",
                                                      "--quiet"};
       return names;
     }
@@ -98,8 +99,8 @@ namespace stickslip
       if (command_line.action != CommandLine::Action::run &&
           command_line.action != action)
         throw UserError(
-          "'--validate', '--print-parameters' and '--diagnose' exclude each "
-          "other.");
+          "'--validate', '--print-parameters', '--diagnose' and "
+          "'--inspect-mesh' exclude each other.");
       command_line.action = action;
     }
 
@@ -168,6 +169,14 @@ namespace stickslip
           command_line.output_directory =
             reader.value_of(option, "the output directory of a run");
         }
+      else if (option == "--inspect-mesh")
+        {
+          choose_action(command_line, Action::inspect_mesh);
+          command_line.mesh_file = reader.value_of(option, "a mesh file");
+          command_line.json      = (reader.peek() == "json");
+          if (command_line.json)
+            reader.next();
+        }
       else if (option == "--quiet")
         command_line.is_quiet = true;
       else
@@ -220,7 +229,8 @@ namespace stickslip
 
     if (command_line.parameter_file.empty() &&
         command_line.action != CommandLine::Action::print_parameters &&
-        command_line.action != CommandLine::Action::diagnose)
+        command_line.action != CommandLine::Action::diagnose &&
+        command_line.action != CommandLine::Action::inspect_mesh)
       throw UserError(
         "No parameter file. Usage: stickslip case.prm [options]; "
         "stickslip --help tells more.");
@@ -244,6 +254,9 @@ Options:
   --validate                    check the parameter file and stop
   --diagnose DIRECTORY          tell how the run in this output directory went,
                                 why it stopped and what to try
+  --inspect-mesh FILE [json]    tell what is in a mesh file: bodies, names,
+                                extents, quality, gaps between bodies, what
+                                looks wrong; json: for programs
   --print-parameters [FORMAT]   print the parameters with their documentation;
                                 with case.prm its own, with their values;
                                 FORMAT: prm (default; expert parameters only
@@ -259,6 +272,7 @@ Examples:
   stickslip --validate case.prm
   stickslip case.prm --print-parameters > complete.prm
   stickslip --diagnose results
+  stickslip --inspect-mesh part.msh
 
 Exit codes:
   0  done

@@ -3,6 +3,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <stickslip/base/nearest_name.h>
+#include <stickslip/base/text_encoding.h>
 #include <stickslip/base/user_error.h>
 
 #include <algorithm>
@@ -99,6 +100,8 @@ namespace stickslip
     while (std::getline(input, line))
       {
         ++line_number;
+        if (line_number == 1)
+          line = std::string(without_byte_order_mark(line));
         const std::size_t comment     = line.find('#');
         const bool        has_comment = (comment != std::string::npos);
         line = dealii::Utilities::trim(line.substr(0, comment));
@@ -109,6 +112,7 @@ namespace stickslip
 
         if (is_complete)
           open_files.back().line = line_number;
+        check_encoding(line);
         is_complete = line.empty() || line.back() != '\\';
         if (!is_complete)
           line.pop_back();
@@ -122,6 +126,23 @@ namespace stickslip
       }
     process(statement);
     close();
+  }
+
+
+
+  void
+  ParameterFileReader::check_encoding(const std::string &line) const
+  {
+    if (is_utf16(line))
+      fail(
+        "the file is encoded as UTF-16. Save it as UTF-8 (iconv -f UTF-16 "
+        "-t UTF-8).");
+    if (line.find('\0') != std::string::npos)
+      fail("found a zero byte: it is no text file.");
+    if (!is_utf8(line))
+      fail("found a letter that is not UTF-8 (in Latin-1 '" +
+           utf8_of_latin1(line) +
+           "'). Save the file as UTF-8 (iconv -f LATIN1 -t UTF-8).");
   }
 
 

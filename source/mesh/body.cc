@@ -9,20 +9,6 @@
 
 namespace stickslip
 {
-  namespace
-  {
-    std::string
-    boundary_id_list(const std::set<types::boundary_id> &ids)
-    {
-      std::string list;
-      for (const types::boundary_id id : ids)
-        list += (list.empty() ? "" : ", ") + std::to_string(id);
-      return list.empty() ? "none" : list;
-    }
-  } // namespace
-
-
-
   unsigned int
   Bodies::index_of(const std::string &name,
                    const std::string &parameter_path) const
@@ -58,29 +44,56 @@ namespace stickslip
 
 
   std::set<types::boundary_id>
-  Bodies::global_boundary_ids(const std::string               &body,
-                              const std::vector<unsigned int> &local_ids,
+  Bodies::global_boundary_ids(const std::string              &body,
+                              const std::vector<std::string> &labels,
                               const std::string &parameter_path) const
   {
-    const unsigned int b   = index_of(body, parameter_path);
-    const auto        &ids = bodies[b].boundary_ids;
+    const unsigned int b          = index_of(body, parameter_path);
+    const auto        &present    = bodies[b].boundary_ids;
+    const LabelledIds &boundaries = bodies[b].boundaries;
+    const std::string  known =
+      " Boundaries of this body: " + boundaries.in_words(present) + ".";
 
-    if (local_ids.empty())
-      throw UserError(
-        parameter_path + ": no boundary id is given for body '" + body +
-        "'. Boundary ids present: " + boundary_id_list(ids) + ".");
+    if (labels.empty())
+      throw UserError(parameter_path + ": no boundary is given for body '" +
+                      body + "'." + known);
 
     std::set<types::boundary_id> result;
-    for (const unsigned int local : local_ids)
+    for (const std::string &label : labels)
       {
-        if (ids.count(local) == 0)
+        bool marks_any = false;
+        for (const types::boundary_id local : boundaries.ids(label))
+          if (present.count(local) > 0)
+            {
+              result.insert(global_boundary_id(b, local));
+              marks_any = true;
+            }
+        if (!marks_any)
           throw UserError(
-            parameter_path + ": boundary id " + std::to_string(local) +
-            " marks no face of body '" + body +
-            "'. Boundary ids present: " + boundary_id_list(ids) + ".");
-        result.insert(global_boundary_id(b, local));
+            parameter_path + ": boundary '" + label +
+            "' marks no face of body '" + body + "'." +
+            (boundaries.is_elsewhere(label)
+               ? " The mesh file has it, but not on the surface of this body."
+               : did_you_mean(label, boundaries.names(present))) +
+            known);
       }
     return result;
+  }
+
+
+
+  types::boundary_id
+  Bodies::single_boundary_id(const std::string &body,
+                             const std::string &label,
+                             const std::string &parameter_path) const
+  {
+    const auto ids = global_boundary_ids(body, {label}, parameter_path);
+    if (ids.size() > 1)
+      throw UserError(parameter_path + ": faces of boundary '" + label +
+                      "' of body '" + body +
+                      "' belong to other boundaries, too. Here it must not "
+                      "share faces with others.");
+    return *ids.begin();
   }
 
 

@@ -4,8 +4,8 @@
 #include <stickslip/base/user_error.h>
 #include <stickslip/mesh/condition_list.h>
 #include <stickslip/mesh/mesh_checks.h>
+#include <stickslip/mesh/mesh_from_file.h>
 #include <stickslip/mesh/mesh_generator.h>
-#include <stickslip/mesh/mesh_reader.h>
 #include <stickslip/mesh/transformed_manifold.h>
 
 #include <deal.II/base/utilities.h>
@@ -14,6 +14,7 @@
 #include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
+#include <set>
 
 namespace stickslip
 {
@@ -125,13 +126,11 @@ namespace stickslip
 
 
     template <int dim>
-    std::string
+    std::set<unsigned int>
     present_boundary_ids(const Triangulation<dim> &triangulation)
     {
-      std::string text;
-      for (const types::boundary_id id : triangulation.get_boundary_ids())
-        text += (text.empty() ? "" : ", ") + std::to_string(id);
-      return text;
+      const auto ids = triangulation.get_boundary_ids();
+      return {ids.begin(), ids.end()};
     }
 
 
@@ -140,26 +139,32 @@ namespace stickslip
     void
     mark_boundaries(const ConditionList &conditions,
                     const std::string   &parameter_path,
-                    Triangulation<dim>  &triangulation)
+                    BodyMesh<dim>       &body)
     {
+      conditions.check_groups(body.boundaries,
+                              present_boundary_ids(body.triangulation));
       for (unsigned int i = 0; i < conditions.size(); ++i)
         {
-          const types::boundary_id id        = conditions.boundary_id(i);
-          bool                     marks_any = false;
-          for (const auto &face : triangulation.active_face_iterators())
-            if (face->at_boundary() &&
-                conditions.holds(i, face->center(), face->boundary_id()))
+          const types::boundary_id id =
+            body.boundaries.id_of(conditions.label(i));
+          bool marks_any = false;
+          for (const auto &face : body.triangulation.active_face_iterators())
+            if (face->at_boundary() && conditions.holds(i,
+                                                        face->center(),
+                                                        face->boundary_id(),
+                                                        body.boundaries))
               {
                 face->set_boundary_id(id);
                 marks_any = true;
               }
           if (!marks_any)
-            throw UserError(parameter_path + ": '" + conditions.label(i) +
-                            ": " + conditions.expression(i) +
-                            "' marks no face. Boundary ids present: " +
-                            present_boundary_ids(triangulation) +
-                            "; conditions are tested at face centres of the "
-                            "moved body.");
+            throw UserError(
+              parameter_path + ": '" + conditions.label(i) + ": " +
+              conditions.expression(i) +
+              "' marks no face. Boundaries present: " +
+              body.boundaries.in_words(
+                present_boundary_ids(body.triangulation)) +
+              "; conditions are tested at face centres of the moved body.");
         }
     }
 
@@ -170,25 +175,30 @@ namespace stickslip
     void
     mark_materials(const BodyParameters &parameters,
                    const std::string    &path,
+                   const LabelledIds    &ids,
                    BodyMesh<dim>        &body)
     {
-      const std::string   parameter_path = path + "/Material regions";
-      const ConditionList conditions(parameters.material_regions,
+      const std::string      parameter_path = path + "/Material regions";
+      const ConditionList    conditions(parameters.material_regions,
                                      parameter_path);
-      std::vector<bool>   marks_any(conditions.size(), false);
+      std::vector<bool>      marks_any(conditions.size(), false);
+      std::set<unsigned int> present;
+      for (const auto &cell : body.triangulation.active_cell_iterators())
+        present.insert(cell->material_id());
+      conditions.check_groups(ids, present);
       for (const auto &cell : body.triangulation.active_cell_iterators())
         {
           const types::material_id old_id = cell->material_id();
           std::string              name   = parameters.material;
           for (unsigned int i = 0; i < conditions.size(); ++i)
-            if (conditions.holds(i, cell->center(), old_id))
+            if (conditions.holds(i, cell->center(), old_id, ids))
               {
                 name         = conditions.label(i);
                 marks_any[i] = true;
               }
           if (name.empty() && !parameters.is_rigid)
-            throw UserError(path + ": some cells (id " +
-                            std::to_string(old_id) +
+            throw UserError(path + ": some cells (of group " +
+                            ids.in_words({old_id}) +
                             ") are in none of the 'Material regions', and "
                             "'Material' for the rest is not given.");
 
@@ -213,24 +223,35 @@ namespace stickslip
   std::unique_ptr<BodyMesh<dim>>
   make_body_mesh(const BodyParameters &parameters,
                  const std::string    &path,
-                 const std::string    &input_directory,
-                 const MPI_Comm        communicator)
+                 MeshFiles            &files,
+                 const MeshSize       &size)
   {
     auto                body          = std::make_unique<BodyMesh<dim>>();
     Triangulation<dim> &triangulation = body->triangulation;
+    LabelledIds         materials;
 
     if (!parameters.generator.empty())
-      generate_mesh(parameters.generator,
-                    parameters.arguments,
-                    path,
-                    triangulation);
+      {
+        size.check_coarse(estimated_cells(parameters.generator,
+                                          parameters.arguments,
+                                          dim),
+                          path + "/Arguments",
+                          "'" + parameters.arguments + "' makes ");
+        generate_mesh(parameters.generator,
+                      parameters.arguments,
+                      path,
+                      triangulation);
+      }
     else
-      read_mesh(parameters.mesh_file,
-                parameters.mesh_format,
-                input_directory,
-                path,
-                communicator,
-                triangulation);
+      make_triangulation(files.read(parameters.mesh_file,
+                                    parameters.mesh_format,
+                                    path),
+                         parameters.mesh_groups,
+                         path + "/Mesh file: '" + parameters.mesh_file + "' ",
+                         path,
+                         triangulation,
+                         body->boundaries,
+                         materials);
     check_cell_types(triangulation, path);
 
     if (!parameters.coordinates.empty())
@@ -238,6 +259,9 @@ namespace stickslip
                    path + "/Coordinates",
                    triangulation);
     check_cell_shapes(triangulation, path);
+    size.check_coarse_refinements(triangulation.n_active_cells(),
+                                  parameters.refinements,
+                                  path + "/Refinements");
     triangulation.refine_global(parameters.refinements);
 
     const AffineMap<dim> map = body_motion<dim>(parameters, path);
@@ -249,8 +273,8 @@ namespace stickslip
     const std::string parameter_path = path + "/Boundary ids";
     mark_boundaries(ConditionList(parameters.boundary_ids, parameter_path),
                     parameter_path,
-                    triangulation);
-    mark_materials(parameters, path, *body);
+                    *body);
+    mark_materials(parameters, path, materials, *body);
     return body;
   }
 
@@ -259,11 +283,11 @@ namespace stickslip
   template std::unique_ptr<BodyMesh<2>>
   make_body_mesh<2>(const BodyParameters &,
                     const std::string &,
-                    const std::string &,
-                    const MPI_Comm);
+                    MeshFiles &,
+                    const MeshSize &);
   template std::unique_ptr<BodyMesh<3>>
   make_body_mesh<3>(const BodyParameters &,
                     const std::string &,
-                    const std::string &,
-                    const MPI_Comm);
+                    MeshFiles &,
+                    const MeshSize &);
 } // namespace stickslip

@@ -9,7 +9,8 @@ namespace stickslip
   namespace
   {
     const char *const condition_variables =
-      "x, y, z and id, the id so far (from the generator or the file). "
+      "x, y, z and id, the id so far (from the generator or the file); 'in "
+      "NAME' holds in the group of this name or number. "
       "Later conditions win; each must hold somewhere.";
   }
 
@@ -38,19 +39,27 @@ namespace stickslip
       "arc, 1 outer arc, 2 first angle, 3 last angle, 4 and 5 the ends in z.");
     prm.add_parameter("Mesh file",
                       mesh_file,
-                      "A mesh of quadrilaterals (2D) or hexahedra (3D); "
-                      "relative names start at the folder of the .prm file. "
-                      "Physical groups become boundary and material ids. An "
-                      "Abaqus *SURFACE gets the number in its name as its id, "
-                      "one without a number the next free number from 1, in "
-                      "the order of the file.");
+                      "A mesh of quadrilaterals (2D) or hexahedra (3D) from "
+                      "Gmsh (.msh), Abaqus (.inp), VTK (.vtk, .vtu) or UCD "
+                      "(.ucd, .inp); relative names start at the folder of the "
+                      ".prm file. Names of physical groups, sets and surfaces "
+                      "are names of boundaries and regions; 'stickslip "
+                      "--inspect-mesh FILE' lists them.");
+    prm.add_parameter("Mesh group",
+                      mesh_groups,
+                      "Names or numbers of groups of cells in the mesh file "
+                      "(physical volumes of Gmsh, element sets or instances of "
+                      "Abaqus) that make this body, separated by commas. Other "
+                      "cells of the file may make other bodies. Empty: all "
+                      "cells.");
     add_choice(prm,
                "Mesh format",
                mesh_format,
                all_mesh_formats(),
                expert(
                  "Format of the mesh file; automatic goes by the extension "
-                 "(.msh, .inp, .vtk, .ucd) and, for .inp, the contents."));
+                 "(.msh, .inp, .vtk, .vtu, .ucd) and, for .inp, the "
+                 "contents."));
     prm.add_parameter("Coordinates",
                       coordinates,
                       "New coordinates of the vertices, \"fx; fy\" or "
@@ -85,13 +94,14 @@ namespace stickslip
                       "Shift after the rotation.",
                       Patterns::List(Patterns::Double(), 2, 3));
 
-    prm.add_parameter(
-      "Boundary ids",
-      boundary_ids,
-      std::string("Further boundary ids, \"id: condition; id: condition\", for "
-                  "instance \"10: y < 1e-8; 11: abs(x - 40) < 1e-6\". "
-                  "Conditions are expressions of the face's centre ") +
-        condition_variables);
+    prm.add_parameter("Boundary ids",
+                      boundary_ids,
+                      std::string(
+                        "Further boundary ids or names, \"id: condition; name: "
+                        "condition\", for "
+                        "instance \"10: y < 1e-8; side: abs(x - 40) < 1e-6\". "
+                        "Conditions are expressions of the face's centre ") +
+                        condition_variables);
     prm.add_parameter(
       "Material",
       material,
@@ -99,9 +109,10 @@ namespace stickslip
     prm.add_parameter(
       "Material regions",
       material_regions,
-      std::string("Other materials in parts of the body, \"name: condition; "
-                  "name: condition\", for instance \"rubber: y > 5; steel: id "
-                  "== 3\". Conditions are expressions of the cell's centre ") +
+      std::string(
+        "Other materials in parts of the body, \"name: condition; "
+        "name: condition\", for instance \"rubber: y > 5; steel: in "
+        "housing\". Conditions are expressions of the cell's centre ") +
         condition_variables);
     prm.add_parameter(
       "Rigid",
@@ -127,6 +138,10 @@ namespace stickslip
       throw UserError(path + "/Arguments: '" + arguments +
                       "' is given without a 'Generator'.");
 
+    if (mesh_file.empty() && !mesh_groups.empty())
+      throw UserError(path + "/Mesh group: '" + mesh_groups[0] +
+                      "' is given without a 'Mesh file'.");
+
     for (const double factor : scale)
       if (!(factor > 0.))
         throw UserError(path + "/Scale: factors must be positive, found " +
@@ -139,9 +154,7 @@ namespace stickslip
                       "/Material: a deformable body needs the name of a "
                       "section of 'Materials'.");
 
-    const ConditionList ids(boundary_ids, path + "/Boundary ids");
-    for (unsigned int i = 0; i < ids.size(); ++i)
-      ids.boundary_id(i);
+    ConditionList(boundary_ids, path + "/Boundary ids").check_boundary_labels();
     ConditionList(material_regions, path + "/Material regions");
   }
 } // namespace stickslip

@@ -1,10 +1,13 @@
 #include <stickslip/mesh/condition_list.h>
 
+#include <stickslip/base/nearest_name.h>
 #include <stickslip/base/parsed_expression.h>
 #include <stickslip/base/user_error.h>
 
 #include <deal.II/base/types.h>
 #include <deal.II/base/utilities.h>
+
+#include <cctype>
 
 namespace stickslip
 {
@@ -24,24 +27,49 @@ namespace stickslip
         if (expressions.back().empty())
           throw UserError(parameter_path + ": '" + labels.back() +
                           "' has no condition.");
-        conditions.push_back(parse_expressions<3>("x,y,z,id",
-                                                  {expressions.back()},
-                                                  parameter_path));
+        const std::string &text = expressions.back();
+        const bool         names_group =
+          text.size() > 3 && text.compare(0, 2, "in") == 0 &&
+          std::isspace(static_cast<unsigned char>(text[2]));
+        groups.push_back(names_group ? Utilities::trim(text.substr(3)) : "");
+        conditions.push_back(
+          names_group
+            ? nullptr
+            : parse_expressions<3>("x,y,z,id", {text}, parameter_path));
       }
   }
 
 
 
-  types::boundary_id
-  ConditionList::boundary_id(const unsigned int index) const
+  void
+  ConditionList::check_boundary_labels() const
   {
-    const std::string &text = labels[index];
-    // More than 9 digits do not fit; the largest ids are deal.II's own.
-    if (text.size() > 9 ||
-        text.find_first_not_of("0123456789") != std::string::npos)
-      throw UserError(parameter_path + ": '" + text +
-                      "' is no boundary id (a whole number from 0).");
-    return Utilities::string_to_int(text);
+    for (const std::string &label : labels)
+      if (!is_id(label) && !std::isalpha(static_cast<unsigned char>(label[0])))
+        throw UserError(
+          parameter_path + ": '" + label +
+          "' is no boundary id (a whole number from 0, of at most "
+          "9 digits) and no name (which begins with a letter).");
+  }
+
+
+
+  void
+  ConditionList::check_groups(const LabelledIds            &ids,
+                              const std::set<unsigned int> &present) const
+  {
+    for (unsigned int i = 0; i < groups.size(); ++i)
+      if (!groups[i].empty())
+        {
+          bool is_known = false;
+          for (const unsigned int id : ids.ids(groups[i]))
+            is_known = is_known || present.count(id) > 0;
+          if (!is_known)
+            throw UserError(parameter_path + ": '" + labels[i] + ": " +
+                            expressions[i] + "' names no group of this body." +
+                            did_you_mean(groups[i], ids.names(present)) +
+                            " Known: " + ids.in_words(present) + ".");
+        }
   }
 
 
@@ -50,12 +78,15 @@ namespace stickslip
   bool
   ConditionList::holds(const unsigned int index,
                        const Point<dim>  &position,
-                       const unsigned int id) const
+                       const unsigned int id,
+                       const LabelledIds &ids) const
   {
+    if (!groups[index].empty())
+      return ids.ids(groups[index]).count(id) > 0;
     Point<3> position_3d;
     for (unsigned int d = 0; d < dim; ++d)
       position_3d[d] = position[d];
-    conditions[index]->set_time(id);
+    conditions[index]->set_time(ids.number(id));
     return conditions[index]->value(position_3d) != 0.;
   }
 
@@ -64,9 +95,11 @@ namespace stickslip
   template bool
   ConditionList::holds(const unsigned int,
                        const Point<2> &,
-                       const unsigned int) const;
+                       const unsigned int,
+                       const LabelledIds &) const;
   template bool
   ConditionList::holds(const unsigned int,
                        const Point<3> &,
-                       const unsigned int) const;
+                       const unsigned int,
+                       const LabelledIds &) const;
 } // namespace stickslip

@@ -31,8 +31,9 @@ namespace stickslip
     {
       const unsigned int index = bodies.bodies.size();
       Body               body;
-      body.name     = name;
-      body.is_rigid = is_rigid;
+      body.name       = name;
+      body.is_rigid   = is_rigid;
+      body.boundaries = body_mesh.boundaries;
       for (const types::boundary_id id :
            body_mesh.triangulation.get_boundary_ids())
         body.boundary_ids.insert(id);
@@ -61,15 +62,13 @@ namespace stickslip
             throw UserError(path + ": there is no direction " +
                             std::to_string(request.direction) + " in " +
                             std::to_string(dim) + "D.");
-          if (request.first == request.second)
+          result.push_back(
+            {bodies.single_boundary_id(request.body, request.first, path),
+             bodies.single_boundary_id(request.body, request.second, path),
+             request.direction});
+          if (result.back().first == result.back().second)
             throw UserError(path +
                             ": the two periodic boundaries are the same.");
-          result.push_back(
-            {*bodies.global_boundary_ids(request.body, {request.first}, path)
-                .begin(),
-             *bodies.global_boundary_ids(request.body, {request.second}, path)
-                .begin(),
-             request.direction});
         }
       return result;
     }
@@ -115,25 +114,22 @@ namespace stickslip
             for (const auto &face : coarse_mesh.active_face_iterators())
               ++n_faces[face->boundary_id()];
             if (n_faces[boundaries[i].first] != n_faces[boundaries[i].second])
-              throw UserError(requests[i].parameter_path + ": boundary " +
-                              std::to_string(requests[i].first) + " of body '" +
-                              requests[i].body + "' has " +
-                              std::to_string(n_faces[boundaries[i].first]) +
-                              " coarse faces, boundary " +
-                              std::to_string(requests[i].second) + " has " +
-                              std::to_string(n_faces[boundaries[i].second]) +
-                              "; periodic boundaries must match face to face.");
+              throw UserError(
+                requests[i].parameter_path + ": boundary " + requests[i].first +
+                " of body '" + requests[i].body + "' has " +
+                std::to_string(n_faces[boundaries[i].first]) +
+                " coarse faces, boundary " + requests[i].second + " has " +
+                std::to_string(n_faces[boundaries[i].second]) +
+                "; periodic boundaries must match face to face.");
             add_periodicity<dim>({boundaries[i]}, coarse_mesh);
           }
         catch (const ExceptionBase &exception)
           {
-            throw UserError(requests[i].parameter_path + ": boundaries " +
-                            std::to_string(requests[i].first) + " and " +
-                            std::to_string(requests[i].second) + " of body '" +
-                            requests[i].body +
-                            "' cannot be identified by a shift in direction " +
-                            "xyz"[requests[i].direction] + ". " +
-                            short_message(exception));
+            throw UserError(
+              requests[i].parameter_path + ": boundaries " + requests[i].first +
+              " and " + requests[i].second + " of body '" + requests[i].body +
+              "' cannot be identified by a shift in direction " +
+              "xyz"[requests[i].direction] + ". " + short_message(exception));
           }
     }
 
@@ -264,14 +260,15 @@ namespace stickslip
 
     Mesh<dim>       mesh;
     JoinedMesh<dim> joined_mesh;
+    MeshFiles       files(parameters.input_directory, communicator);
+    const MeshSize  size(dim, parameters.bytes_per_cell, communicator);
     for (const auto &[name, body] : body_parameters)
       {
         const std::string path = "Bodies/" + name;
         body.check(path);
         append_body(name,
                     body.is_rigid,
-                    *make_body_mesh<dim>(
-                      body, path, parameters.input_directory, communicator),
+                    *make_body_mesh<dim>(body, path, files, size),
                     mesh.bodies,
                     joined_mesh);
       }
@@ -280,6 +277,10 @@ namespace stickslip
       find_periodic_boundaries<dim>(periodic_requests, mesh.bodies);
     check_periodicity(joined_mesh, mesh.periodic_boundaries, periodic_requests);
 
+    size.check_refinements(joined_mesh.n_cells(),
+                           parameters.global_refinements,
+                           parameters.partitioner == Partitioner::metis,
+                           "Mesh/Global refinements");
     const auto distribute = (parameters.partitioner == Partitioner::metis
                                ? distribute_with_metis<dim>
                                : distribute_with_p4est<dim>);

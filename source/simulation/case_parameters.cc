@@ -3,6 +3,7 @@
 #include <stickslip/base/declared_parameters.h>
 #include <stickslip/base/user_error.h>
 
+#include <cmath>
 
 namespace stickslip
 {
@@ -32,6 +33,18 @@ namespace stickslip
     {
       for (const auto &[name, member] : list)
         member.check(section + "/" + name);
+    }
+
+
+
+    /// What the matrix of the displacements has of each cell [byte]: a row of
+    /// Q_p has dim (p+2)^dim entries on average, each a number and an index.
+    double
+    matrix_bytes_per_cell(const unsigned int dim, const unsigned int p)
+    {
+      const double rows    = dim * std::pow(1. * p, 1. * dim);
+      const double entries = dim * std::pow(2. + p, 1. * dim);
+      return 12. * rows * entries;
     }
 
 
@@ -115,6 +128,7 @@ namespace stickslip
     add_parameters(prm);
     file.apply_to(prm);
     mesh.input_directory = file.directory();
+    mesh.bytes_per_cell  = matrix_bytes_per_cell(dimension, degree);
     check();
     const DeclaredSection all = declared_parameters(prm);
     if (!materials.empty())

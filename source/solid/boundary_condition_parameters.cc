@@ -34,7 +34,8 @@ namespace stickslip
     prm.add_parameter("Body", body, "The body's name.", Patterns::Anything());
     prm.add_parameter("Boundary",
                       boundary,
-                      "The body's boundary ids. Empty for the whole body "
+                      "The body's boundary ids or names. Empty for the whole "
+                      "body "
                       "(displacement, rigid motion, body force).");
     add_choice(
       prm,
@@ -148,7 +149,8 @@ namespace stickslip
         if (boundary.size() != 1 || second_boundary.size() != 1)
           throw UserError(path +
                           ": 'Boundary' and 'Second boundary' of a "
-                          "periodic condition have to be one id each.");
+                          "periodic condition have to be one id or name "
+                          "each.");
       }
     else
       forbid(!second_boundary.empty(), "Second boundary");

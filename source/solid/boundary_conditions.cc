@@ -154,21 +154,16 @@ namespace stickslip
     const std::string                 &name,
     const BoundaryConditionParameters &parameters)
   {
-    const std::string path   = boundary_condition_path(name);
-    const auto        global = [&](const std::vector<unsigned int> &ids,
-                            const std::string               &parameter) {
-      return *bodies
-                .global_boundary_ids(parameters.body,
-                                     ids,
-                                     path + "/" + parameter)
-                .begin();
-    };
-
-    Periodicity pair;
+    const std::string path = boundary_condition_path(name);
+    Periodicity       pair;
     pair.name   = name;
     pair.body   = bodies.index_of(parameters.body, path + "/Body");
-    pair.first  = global(parameters.boundary, "Boundary");
-    pair.second = global(parameters.second_boundary, "Second boundary");
+    pair.first  = bodies.single_boundary_id(parameters.body,
+                                           parameters.boundary.at(0),
+                                           path + "/Boundary");
+    pair.second = bodies.single_boundary_id(parameters.body,
+                                            parameters.second_boundary.at(0),
+                                            path + "/Second boundary");
     pair.axis   = parameters.periodic_axis<dim>(path);
     if (pair.first == pair.second)
       throw UserError(path +

@@ -78,8 +78,8 @@ namespace
                            dofs.dof_handler,
                            mesh.bodies.global_boundary_ids(
                              "ground",
-                             both_sides ? std::vector<unsigned int>{2, 3}
-                                        : std::vector<unsigned int>{3},
+                             both_sides ? std::vector<std::string>{"2", "3"}
+                                        : std::vector<std::string>{"3"},
                              ""),
                            modulus,
                            true);

@@ -104,9 +104,9 @@ namespace
   {
     ContactPairParameters pair;
     pair.slave_body           = "upper";
-    pair.slave_boundary       = {2};
+    pair.slave_boundary       = {"2"};
     pair.master_body          = "lower";
-    pair.master_boundary      = {3};
+    pair.master_boundary      = {"3"};
     pair.friction             = value_of(c.friction, all_frictions());
     pair.friction_coefficient = 0.4;
     pair.tresca_threshold     = 0.7;
@@ -312,7 +312,7 @@ namespace
       {
         BoundaryConditionParameters held;
         held.body     = "lower";
-        held.boundary = {3};
+        held.boundary = {"3"};
         held.value    = dim == 2 ? "0; 0" : "0; 0; 0";
         conditions.emplace_back("held", held);
       }

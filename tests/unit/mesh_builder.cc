@@ -167,8 +167,8 @@ namespace
     PeriodicRequest request;
     request.parameter_path = "Boundary conditions/sides";
     request.body           = "strip";
-    request.first          = 0;
-    request.second         = 1;
+    request.first          = "0";
+    request.second         = "1";
     const auto mesh        = show<2>("periodic strip, " + partitioner,
                               {{"strip",
                                        generated("subdivided_hyper_rectangle",
@@ -206,7 +206,7 @@ namespace
                     {{"upper", strip("1")}, {"lower", strip("0")}},
                     {},
                     comm,
-                    {{"path", "lower", {3}}});
+                    {{"path", "lower", {"3"}}});
     const auto top  = mesh.bodies.global_boundary_id(1, 3);
     double     load = 0.;
     for (const auto &cell : mesh.triangulation->active_cell_iterators())

@@ -159,7 +159,7 @@ namespace
     spring.stiffness = 1.;
     test_unheld<3>({{"bed", spring}});
     auto periodic            = condition("periodic", {0});
-    periodic.second_boundary = {1};
+    periodic.second_boundary = {"1"};
     periodic.direction       = "x";
     test_unheld<2>({{"sides", periodic}, {"base", condition("symmetry", {2})}});
   }

@@ -94,10 +94,11 @@ namespace solid_test
             const std::string               &value = "")
   {
     BoundaryConditionParameters parameters;
-    parameters.body     = "block";
-    parameters.type     = value_of(type, all_boundary_condition_types());
-    parameters.boundary = boundary;
-    parameters.value    = value;
+    parameters.body = "block";
+    parameters.type = value_of(type, all_boundary_condition_types());
+    for (const unsigned int id : boundary)
+      parameters.boundary.push_back(std::to_string(id));
+    parameters.value = value;
     return parameters;
   }
 

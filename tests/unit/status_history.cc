@@ -53,9 +53,9 @@ namespace
 
     ContactPairParameters pair;
     pair.slave_body           = "upper";
-    pair.slave_boundary       = {2};
+    pair.slave_boundary       = {"2"};
     pair.master_body          = "lower";
-    pair.master_boundary      = {3};
+    pair.master_boundary      = {"3"};
     pair.friction             = Friction::Coulomb;
     pair.friction_coefficient = 0.4;
     pair.quadrature           = ContactRule::Gauss;

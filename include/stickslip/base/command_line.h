@@ -20,7 +20,8 @@ namespace stickslip
       version,          ///< print version_text()
       print_parameters, ///< in format; of parameter_file if there is one
       validate,         ///< check parameter_file, compute nothing
-      diagnose          ///< summarize the run in output_directory
+      diagnose,         ///< summarize the run in output_directory
+      inspect_mesh      ///< tell what is in mesh_file
     };
 
     Action      action = Action::run;
@@ -28,6 +29,9 @@ namespace stickslip
 
     /// "Section/Name=value", in order; for ParameterFile::override_with().
     std::vector<std::string> overrides;
+
+    std::string mesh_file;    ///< of inspect_mesh
+    bool        json = false; ///< inspect_mesh prints for programs
 
     std::string output_directory; ///< empty: as the parameter file says
 

@@ -91,6 +91,10 @@ namespace stickslip
     void
     close();
 
+    /// Fails unless the line is UTF-8.
+    void
+    check_encoding(const std::string &line) const;
+
     void
     process(const std::string &statement);
 

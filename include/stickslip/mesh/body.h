@@ -2,6 +2,7 @@
 #define stickslip_mesh_body_h
 
 #include <stickslip/base/types.h>
+#include <stickslip/mesh/labelled_ids.h>
 
 #include <deal.II/base/types.h>
 
@@ -16,8 +17,10 @@ namespace stickslip
   {
     std::string name;
     bool        is_rigid = false; ///< all its displacements are prescribed
-    /// The ids of the input file ("body-local"), only those with faces.
+    /// The body's own ids, only those with faces.
     std::set<types::boundary_id> boundary_ids;
+    /// What the user may call them.
+    LabelledIds boundaries = LabelledIds();
   };
 
   /// Cells of one body with one material: what cell->material_id() points to.
@@ -51,12 +54,18 @@ namespace stickslip
                        const types::boundary_id local) const;
 
     /// The triangulation's ids of several boundaries of a body given by name.
-    /// Throws UserError if there is no such body, if @p local_ids is empty or
-    /// if an id marks no face.
+    /// @p labels are ids or names. Throws UserError (with what there is) if
+    /// there is no such body, if @p labels is empty or if one marks no face.
     std::set<types::boundary_id>
-    global_boundary_ids(const std::string               &body,
-                        const std::vector<unsigned int> &local_ids,
-                        const std::string               &parameter_path) const;
+    global_boundary_ids(const std::string              &body,
+                        const std::vector<std::string> &labels,
+                        const std::string              &parameter_path) const;
+
+    /// The same for a label that has to stand for one id.
+    types::boundary_id
+    single_boundary_id(const std::string &body,
+                       const std::string &label,
+                       const std::string &parameter_path) const;
 
     /// The body that owns the triangulation's boundary id @p global.
     unsigned int

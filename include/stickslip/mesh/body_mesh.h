@@ -2,8 +2,9 @@
 #define stickslip_mesh_body_mesh_h
 
 #include <stickslip/mesh/body_parameters.h>
-
-#include <deal.II/base/mpi.h>
+#include <stickslip/mesh/labelled_ids.h>
+#include <stickslip/mesh/mesh_reader.h>
+#include <stickslip/mesh/mesh_size.h>
 
 #include <deal.II/grid/manifold.h>
 #include <deal.II/grid/tria.h>
@@ -17,29 +18,31 @@ namespace stickslip
 {
   /**
    * The serial mesh of one body in its final place, before it is joined with
-   * the others. Boundary ids are the user's, cell->material_id() is an index
-   * into `materials`. `manifolds` holds the manifolds of the final place for
-   * the ids that are still in use (the triangulation's own may be outdated).
+   * the others. Boundary ids are those of `boundaries`, cell->material_id() is
+   * an index into `materials`. `manifolds` holds the manifolds of the final
+   * place for the ids that are still in use (the triangulation's own may be
+   * outdated).
    */
   template <int dim>
   struct BodyMesh
   {
     Triangulation<dim>       triangulation;
+    LabelledIds              boundaries;
     std::vector<std::string> materials;
     std::map<types::manifold_id, std::unique_ptr<Manifold<dim, dim>>> manifolds;
   };
 
   /**
    * Generates or reads, shapes, refines, moves and marks one body. Collective
-   * over @p communicator (mesh files). @p path is the body's subsection. Throws
-   * UserError on all ranks.
+   * (mesh files). @p path is the body's subsection. @p size refuses
+   * what does not fit before it is made. Throws UserError on all ranks.
    */
   template <int dim>
   std::unique_ptr<BodyMesh<dim>>
   make_body_mesh(const BodyParameters &parameters,
                  const std::string    &path,
-                 const std::string    &input_directory,
-                 const MPI_Comm        communicator);
+                 MeshFiles            &files,
+                 const MeshSize       &size);
 } // namespace stickslip
 
 #endif

@@ -20,9 +20,11 @@ namespace stickslip
    */
   struct BodyParameters
   {
-    std::string  generator;
-    std::string  arguments;
-    std::string  mesh_file;
+    std::string generator;
+    std::string arguments;
+    std::string mesh_file;
+    std::vector<std::string>
+                 mesh_groups; ///< names or numbers; empty: all cells
     MeshFormat   mesh_format = MeshFormat::automatic;
     std::string  coordinates; ///< expressions "fx; fy; fz"
     unsigned int refinements = 0;
@@ -33,7 +35,7 @@ namespace stickslip
     std::vector<double> rotation_centre = {0., 0., 0.};
     std::vector<double> translation     = {0., 0., 0.};
 
-    std::string boundary_ids;     ///< "id: condition; id: condition"
+    std::string boundary_ids;     ///< "id or name: condition; ..."
     std::string material;         ///< name of a section of Materials
     std::string material_regions; ///< "name: condition; name: condition"
     bool        is_rigid = false;

@@ -29,6 +29,12 @@ namespace stickslip
     add(const BodyMesh<dim>                                    &body,
         const std::map<types::boundary_id, types::boundary_id> &boundary_ids);
 
+    std::size_t
+    n_cells() const
+    {
+      return cells.size();
+    }
+
     /// Creates the coarse triangulation and attaches the manifolds. The same
     /// result on each rank; collective if the triangulation is distributed.
     void

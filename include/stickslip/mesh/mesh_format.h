@@ -11,7 +11,8 @@ namespace stickslip
     automatic, ///< by the extension; .inp by its contents
     gmsh,
     abaqus,
-    vtk,
+    vtk, ///< legacy format
+    vtu, ///< XML
     ucd
   };
 
@@ -23,6 +24,7 @@ namespace stickslip
                                                 {"gmsh", MeshFormat::gmsh},
                                                 {"abaqus", MeshFormat::abaqus},
                                                 {"vtk", MeshFormat::vtk},
+                                                {"vtu", MeshFormat::vtu},
                                                 {"ucd", MeshFormat::ucd}};
     return choices;
   }

@@ -34,6 +34,9 @@ namespace stickslip
     /// usually the directory of the .prm file); then the working directory.
     std::string input_directory;
 
+    /// What is made of each cell beside the mesh (set by the caller) [byte].
+    double bytes_per_cell = 0.;
+
     void
     add_parameters(ParameterHandler &prm);
   };
@@ -41,19 +44,19 @@ namespace stickslip
   /// Boundaries whose cells cost more than others: slave surfaces.
   struct CostlySurface
   {
-    std::string               parameter_path; ///< for messages
-    std::string               body;
-    std::vector<unsigned int> boundary; ///< the user's ids
+    std::string              parameter_path; ///< for messages
+    std::string              body;
+    std::vector<std::string> boundary; ///< ids or names
   };
 
   /// The wish that two opposite boundaries of a body be identified.
   struct PeriodicRequest
   {
-    std::string        parameter_path; ///< for messages
-    std::string        body;
-    types::boundary_id first  = 0; ///< the user's ids
-    types::boundary_id second = 0;
-    unsigned int direction    = 0; ///< the faces differ by a shift in x, y, z
+    std::string  parameter_path; ///< for messages
+    std::string  body;
+    std::string  first; ///< ids or names
+    std::string  second;
+    unsigned int direction = 0; ///< the faces differ by a shift in x, y, z
   };
 
   /// The same with the triangulation's boundary ids.

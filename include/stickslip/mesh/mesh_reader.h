@@ -1,35 +1,61 @@
 #ifndef stickslip_mesh_mesh_reader_h
 #define stickslip_mesh_mesh_reader_h
 
+#include <stickslip/mesh/file/mesh_file.h>
 #include <stickslip/mesh/mesh_format.h>
 
 #include <deal.II/base/mpi.h>
 
-#include <deal.II/grid/tria.h>
-
+#include <map>
+#include <memory>
 #include <string>
+#include <utility>
 
 namespace stickslip
 {
-  using namespace dealii;
+  /// The format by the extension of the name, .inp by the contents; automatic
+  /// if the extension is not known.
+  MeshFormat
+  format_of_mesh_file(const std::string &file_name,
+                      const std::string &contents);
+
+  /// Throws MeshFileError. @p format is not automatic.
+  MeshFile
+  parse_mesh_file(const std::string &contents, const MeshFormat format);
+
+  /// "'part.msh', line 12, found ..." of an error.
+  std::string
+  in_words(const std::string &file_name, const MeshFileError &error);
 
   /**
-   * Reads a mesh of quadrilaterals or hexahedra with the file's boundary and
-   * material ids. A relative @p file_name is looked for in @p directory, then in
-   * the working directory.
-   *
-   * Collective over @p communicator: rank 0 reads the file, every rank gets the
-   * whole mesh. Throws UserError, on all ranks, blaming parameters below
-   * @p path if the file cannot be read or is no mesh of the right kind.
+   * The mesh files of a case, each read once. A relative name is looked for in
+   * the directory, then in the working directory.
    */
-  template <int dim>
-  void
-  read_mesh(const std::string  &file_name,
-            const MeshFormat    format,
-            const std::string  &directory,
-            const std::string  &path,
-            const MPI_Comm      communicator,
-            Triangulation<dim> &triangulation);
+  class MeshFiles
+  {
+  public:
+    MeshFiles(const std::string &directory, const MPI_Comm communicator)
+      : directory(directory)
+      , communicator(communicator)
+    {}
+
+    /**
+     * Rank 0 reads the file, every rank gets its contents. Collective. Throws
+     * UserError, on all ranks, blaming parameters below @p path, for a file
+     * that cannot be read or has other contents than its format says.
+     */
+    const MeshFile &
+    read(const std::string &file_name,
+         const MeshFormat   format,
+         const std::string &path);
+
+  private:
+    const std::string directory;
+    const MPI_Comm    communicator;
+
+    std::map<std::pair<std::string, MeshFormat>, std::unique_ptr<MeshFile>>
+      files;
+  };
 } // namespace stickslip
 
 #endif

@@ -34,18 +34,18 @@ namespace stickslip
    */
   struct BoundaryConditionParameters
   {
-    std::string               body;
-    std::vector<unsigned int> boundary; ///< the body's own ids; may be empty
-    BoundaryConditionType     type = BoundaryConditionType::displacement;
-    std::string               value;
-    std::string               where;
-    std::string               direction;
-    double                    stiffness = 0.;
-    std::string               translation;
-    std::string               rotation_angle  = "0";
-    std::string               rotation_axis   = "z";
-    std::string               rotation_centre = "";
-    std::vector<unsigned int> second_boundary;
+    std::string              body;
+    std::vector<std::string> boundary; ///< ids or names; may be empty
+    BoundaryConditionType    type = BoundaryConditionType::displacement;
+    std::string              value;
+    std::string              where;
+    std::string              direction;
+    double                   stiffness = 0.;
+    std::string              translation;
+    std::string              rotation_angle  = "0";
+    std::string              rotation_axis   = "z";
+    std::string              rotation_centre = "";
+    std::vector<std::string> second_boundary;
 
     void
     add_parameters(dealii::ParameterHandler &prm);

@@ -235,13 +235,11 @@ namespace stickslip
                       "multipliers. Prefer the softer or finer one.");
     prm.add_parameter("Slave boundary",
                       slave_boundary,
-                      "Boundary ids of the slave body.",
-                      Patterns::List(Patterns::Integer(0)));
+                      "Boundary ids or names of the slave body.");
     prm.add_parameter("Master body", master_body, "Body that is projected on.");
     prm.add_parameter("Master boundary",
                       master_boundary,
-                      "Boundary ids of the master body.",
-                      Patterns::List(Patterns::Integer(0)));
+                      "Boundary ids or names of the master body.");
     add_choice(prm,
                "Friction",
                friction,
@@ -340,9 +338,8 @@ namespace stickslip
                       "positive value opens it.");
     prm.add_parameter("Excluded boundaries",
                       excluded_boundaries,
-                      "Nodes on these boundary ids of the slave body carry no "
-                      "contact.",
-                      Patterns::List(Patterns::Integer(0)));
+                      "Nodes on these boundaries (ids or names) of the slave "
+                      "body carry no contact.");
     prm.add_parameter("Excluded points",
                       excluded_points,
                       "Nodes at these reference positions carry no contact: "

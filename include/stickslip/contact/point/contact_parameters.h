@@ -121,10 +121,10 @@ namespace stickslip
    */
   struct ContactPairParameters
   {
-    std::string               slave_body;
-    std::vector<unsigned int> slave_boundary;
-    std::string               master_body;
-    std::vector<unsigned int> master_boundary;
+    std::string              slave_body;
+    std::vector<std::string> slave_boundary; ///< ids or names
+    std::string              master_body;
+    std::vector<std::string> master_boundary; ///< ids or names
 
     Friction      friction             = Friction::none;
     double        friction_coefficient = 0.;
@@ -135,15 +135,15 @@ namespace stickslip
     ContactRule     quadrature       = ContactRule::nodal;
     unsigned int    quadrature_order = 2;
 
-    Normals                   normals              = Normals::smoothed;
-    double                    smoothing_angle      = 60.;
-    double                    search_distance      = 0.;
-    double                    projection_tolerance = 0.05;
-    double                    facet_overlap        = 0.01;
-    double                    end_overlap          = 0.5;
-    std::string               gap_offset           = "0";
-    std::vector<unsigned int> excluded_boundaries;
-    std::string               excluded_points;
+    Normals                  normals              = Normals::smoothed;
+    double                   smoothing_angle      = 60.;
+    double                   search_distance      = 0.;
+    double                   projection_tolerance = 0.05;
+    double                   facet_overlap        = 0.01;
+    double                   end_overlap          = 0.5;
+    std::string              gap_offset           = "0";
+    std::vector<std::string> excluded_boundaries; ///< ids or names
+    std::string              excluded_points;
 
     RegularizationParameters regularization;
 
