@@ -24,7 +24,8 @@ namespace stickslip
     {
       static const std::map<std::string, std::pair<std::string, std::string>>
         examples = {
-          {"annular_sector", {"1 : 2 : 0 : 90 : 2 : 4", ""}},
+          {"annular_sector",
+           {"1 : 2 : 0 : 90 : 2 : 4", "1 : 2 : 0 : 90 : 2 : 4"}},
           {"cheese", {"1, 1", "1, 1, 1"}},
           {"cylinder_shell", {"", "3 : 1 : 2 : 8 : 2"}},
           {"eccentric_hyper_shell",

@@ -224,8 +224,9 @@ namespace stickslip
   plain_text(const std::string &contents)
   {
     if (is_utf16(contents))
-      throw MeshFileError("it is encoded as UTF-16. Save it as UTF-8 (iconv -f "
-                          "UTF-16 -t UTF-8)");
+      throw MeshFileError(
+        "it is encoded as UTF-16. Save it as UTF-8 (iconv -f "
+        "UTF-16 -t UTF-8)");
     const std::size_t begin =
       contents.size() - without_byte_order_mark(contents).size();
 
