@@ -98,7 +98,7 @@ namespace stickslip
   double
   MeshSize::bytes_of_mesh_cell(const unsigned int dim)
   {
-    return dim == 2 ? 250. : 700.;
+    return dim == 2 ? 250. : 500.;
   }
 
 

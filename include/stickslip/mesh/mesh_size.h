@@ -45,7 +45,8 @@ namespace stickslip
                       const bool         on_one_rank,
                       const std::string &path) const;
 
-    /// Of the mesh alone [byte]; measured with deal.II's memory_consumption().
+    /// Of the mesh alone [byte], rounded down: with the numbers of its
+    /// unknowns, a refined cube grows by 460 (2D) and 820 (3D) byte per cell.
     static double
     bytes_of_mesh_cell(const unsigned int dim);
 
