@@ -104,6 +104,8 @@ class Log:
             self.state = "done"
         elif line.startswith("stopped:"):
             self.state, self.last_words = "stopped", line[len("stopped:"):].strip()
+        elif line.startswith("interrupted:"):
+            self.state = "unfinished"
         elif line.startswith("warning:"):
             self.warnings.append(line[len("warning:"):].strip())
         elif self.state == "stopped":

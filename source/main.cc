@@ -1,6 +1,7 @@
 #include <stickslip/base/command_line.h>
 #include <stickslip/base/no_convergence.h>
 #include <stickslip/base/print_parameters.h>
+#include <stickslip/base/stop_requests.h>
 #include <stickslip/base/user_error.h>
 
 #include <stickslip/mesh/generator_page.h>
@@ -36,7 +37,8 @@ namespace
     wrong_input       = 1,
     no_convergence    = 2,
     internal_error    = 3,
-    check_falls_short = 4
+    check_falls_short = 4,
+    stopped           = 5
   };
 
 
@@ -73,7 +75,10 @@ namespace
     const bool is_validation =
       command_line.action == CommandLine::Action::validate;
     if (!is_validation)
-      prepare_output_directory(parameters.output.directory, MPI_COMM_WORLD);
+      {
+        catch_stop_signals();
+        prepare_output_directory(parameters.output.directory, MPI_COMM_WORLD);
+      }
     Simulation<dim> simulation(parameters, MPI_COMM_WORLD);
     if (is_validation)
       {
@@ -97,6 +102,8 @@ namespace
     ParameterFile file(command_line.parameter_file, MPI_COMM_WORLD);
     for (const std::string &assignment : command_line.overrides)
       file.override_with(assignment);
+    if (!command_line.output_directory.empty())
+      file.override_with("Output/Directory=" + command_line.output_directory);
     parameters.read(file, prm);
   }
 
@@ -182,8 +189,6 @@ namespace
     CaseParameters   parameters;
     ParameterHandler prm;
     read_case(command_line, parameters, prm);
-    if (!command_line.output_directory.empty())
-      parameters.output.directory = command_line.output_directory;
     if (command_line.is_quiet)
       parameters.output.verbosity = Verbosity::quiet;
     return parameters.dimension == 2 ? run_case<2>(parameters, command_line)
@@ -226,6 +231,11 @@ main(int argc, char **argv)
                 << std::endl;
       MPI_Abort(MPI_COMM_WORLD, wrong_input);
       return wrong_input;
+    }
+  catch (const RunStopped &request)
+    {
+      report("stopped", request.what());
+      return stopped;
     }
   catch (const std::exception &error)
     {

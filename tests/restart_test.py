@@ -3,209 +3,22 @@
 
     restart_test.py PROGRAM WORKING_DIRECTORY
 
-A block is pressed on another and dragged over it with friction, so that the
-result depends on the path; beside them a third one is in plastic flow. Compared are the tables of all steps and every
-number of the checkpoint at the end (nodal values, multipliers, slip, pairing);
-on the same number of ranks also the Newton iterations, which show that the
-multipliers to start from are right.
+Compared are the tables of all steps and every number of the checkpoint at the end; on the same number of ranks also the
+Newton iterations, which show that the multipliers to start from are right.
 """
 import pathlib
 import re
 import shutil
-import struct
-import subprocess
 import sys
 
-from program_runs import environment_of, fresh_directory, rows_of
+from checkpoint_runs import Runs, check, compare, differences_of_checkpoints, failures
+from program_runs import rows_of
 
-CASE = """
-set Dimension = 2
-subsection Bodies
-  subsection lower
-    set Generator = subdivided_hyper_rectangle
-    set Arguments = 13, 4 : 0, 0 : 4, 1 : true
-    set Material = soft
-  end
-  subsection upper
-    set Generator = subdivided_hyper_rectangle
-    set Arguments = 6, 3 : 0.5, 1 : 2, 1.8 : true
-    set Material = soft
-  end
-  subsection metal
-    set Generator = subdivided_hyper_rectangle
-    set Arguments = 4, 3 : 5, 0 : 6, 1 : true
-    set Material = plastic
-  end
-end
-subsection Materials
-  subsection soft
-    set Law = St Venant-Kirchhoff
-    set Young's modulus = 100
-    set Poisson's ratio = 0.3
-  end
-  subsection plastic
-    set Law = Simo-Miehe plasticity
-    set Young's modulus = 100
-    set Poisson's ratio = 0.3
-    set Yield stress = 1
-    set Hardening = linear
-    set Hardening modulus = 20
-  end
-end
-subsection Boundary conditions
-  subsection base
-    set Body = metal
-    set Boundary = 2
-    set Value = 0; 0
-  end
-  subsection stamp
-    set Body = metal
-    set Boundary = 3
-    set Value = 0.04*max(t-2, 0) - 0.08*max(t-4, 0); -0.03*min(t, 5)
-  end
-  subsection foundation
-    set Body = lower
-    set Boundary = 2
-    set Value = 0; 0
-  end
-  subsection drag
-    set Body = upper
-    set Boundary = 3
-    set Value = 0.15*max(t-1, 0) - 0.3*max(t-4, 0); -0.02*min(t, 1)
-  end
-end
-subsection Contact
-  subsection interface
-    set Slave body = upper
-    set Slave boundary = 2
-    set Master body = lower
-    set Master boundary = 3
-    set Friction = Coulomb
-    set Friction coefficient = 0.3
-  end
-end
-subsection Load stepping
-  set End time = 6
-  set Initial step = 1
-  set Minimum step = 1
-end
-subsection Output
-  set Verbosity = results
-  set Every n steps = 100
-  set Checkpoint every n steps = 1
-  subsection Points
-    subsection A
-      set Body = upper
-      set Position = 0.5, 1
-    end
-    subsection B
-      set Body = upper
-      set Position = 2, 1.8
-    end
-  end
-end
-"""
-TOLERANCE = 1e-9
-TABLES = {"points.csv": None, "resultants.csv": None,
-          "statistics.csv": ["step", "time", "external_work", "friction_work"]}
 FALLBACK_OPTIONS = ["Load stepping/Minimum step=0.01", "Load stepping/Requested times=3", "Algorithm/Newton/Max iterations=4"]
 # Six iterations are enough for short steps, five count as easy.
 CUT_OPTIONS = ["Load stepping/Minimum step=0.01", "Load stepping/Requested times=3", "Algorithm/Newton/Max iterations=6",
                "Load stepping/Easy iterations=5", "Algorithm/Name=GNM",
                "Boundary conditions/drag/Value=0.6*max(t-1, 0) - 1.2*max(t-4, 0); -0.02*min(t, 1)"]
-failures = []
-
-
-def check(holds, what):
-    print(("passed  " if holds else "FAILED  ") + what, flush=True)
-    if not holds:
-        failures.append(what)
-
-
-class Runs:
-    def __init__(self, program, directory):
-        self.program = program
-        self.directory = fresh_directory(directory)
-        (directory / "case.prm").write_text(CASE)
-
-    def run(self, name, n_ranks=1, restart=None, options=(), exit_code=0):
-        """Runs the case; returns all that was printed."""
-        command = ["mpirun", "-np", str(n_ranks), self.program, "case.prm", "--output-directory", name]
-        for option in options:
-            command += ["--set", option]
-        if restart:
-            command += ["--restart", restart]
-        result = subprocess.run(command, cwd=self.directory, env=environment_of(n_ranks), stdout=subprocess.PIPE,
-                                stderr=subprocess.STDOUT, text=True)
-        # mpirun frames its own messages in dashes
-        printed = re.sub(r"^-{20,}\n.*?^-{20,}\n", "", result.stdout, flags=re.DOTALL | re.MULTILINE)
-        if result.returncode != exit_code:
-            check(False, f"{name}: exit code {result.returncode} instead of {exit_code}\n{printed}")
-        return printed
-
-    def copy(self, source, target):
-        shutil.copytree(self.directory / source, self.directory / target)
-
-
-def differences_of_tables(a, b):
-    """Names of the columns that differ in any row."""
-    result = []
-    for name, columns in TABLES.items():
-        tables = [rows_of(d / name) for d in (a, b)]
-        if not tables[0] or len(tables[0]) != len(tables[1]) or tables[0][0].keys() != tables[1][0].keys():
-            result.append(f"{name}: rows or columns")
-            continue
-        columns = columns or list(tables[0][0])
-        rows = [[[float(row[c]) for c in columns] for row in table] for table in tables]
-        # The components of a vector share their scale.
-        families = [c[:-2] if c[-2:] in ("_x", "_y") else c for c in columns]
-        scale = {}
-        for row in rows[0]:
-            for family, value in zip(families, row):
-                scale[family] = max(scale.get(family, 0.), abs(value))
-        for i, c in enumerate(columns):
-            worst = max(abs(p[i] - q[i]) for p, q in zip(*rows))
-            if not worst <= TOLERANCE * scale[families[i]]:
-                result.append(f"{name} {c} by {worst:.1e}")
-    return result
-
-
-def read_checkpoint(directory):
-    """The records of all cells: {cell: numbers}."""
-    slot = directory / (directory / "checkpoint.latest").read_text().strip()
-    cells = {}
-    for path in slot.glob("cells.*"):
-        data = path.read_bytes()
-        n_cells = struct.unpack_from("=Q", data, len(data) - 24)[0]
-        start = 0
-        for i in range(n_cells):
-            *cell, end, _ = struct.unpack_from("=4I2Q", data, len(data) - 32 * (n_cells - i + 1))
-            cells[tuple(cell)] = struct.unpack_from(f"={end - start}d", data, 24 + 8 * start)
-            start = end
-    return cells
-
-
-def differences_of_checkpoints(a, b):
-    """What differs between the states at the end."""
-    a, b = read_checkpoint(a), read_checkpoint(b)
-    if a.keys() != b.keys() or any(len(a[cell]) != len(b[cell]) for cell in a):
-        return ["the cells"]
-    scale = {}
-    for record in a.values():
-        for i, value in enumerate(record):
-            scale[len(record), i] = max(scale.get((len(record), i), 0.), abs(value))
-    # Each record begins with displacement, force and rate of four nodes in two directions.
-    for kind in range(3):
-        largest = max(value for (_, i), value in scale.items() if i < 24 and i % 3 == kind)
-        scale.update({key: largest for key in scale if key[1] < 24 and key[1] % 3 == kind})
-    return [f"number {i} of cell {cell}: {p!r}, {q!r}" for cell in a for i, (p, q) in enumerate(zip(a[cell], b[cell]))
-            if not abs(p - q) <= TOLERANCE * scale[len(a[cell]), i]]
-
-
-def compare(runs, name, reference="uninterrupted"):
-    paths = runs.directory / reference, runs.directory / name
-    differences = differences_of_tables(*paths) + differences_of_checkpoints(*paths)
-    check(not differences, f"{name} is like {reference}" + "".join("\n    " + d for d in differences[:10]))
 
 
 def test_partitions(runs):
@@ -284,8 +97,11 @@ def test_cuts_and_growth(runs):
 
 
 def test_failed_run(runs):
-    runs.run("failed", 2, options=["Load stepping/End time=2", "Output/Checkpoint every n steps=0"], exit_code=0)
-    check(not (runs.directory / "failed/checkpoint.latest").exists(), "no checkpoints unless asked for")
+    runs.run("failed", 2, options=["Load stepping/End time=2", "Output/Checkpoint every n steps=0",
+                                "Output/Checkpoint at the end=false"])
+    check(not (runs.directory / "failed/checkpoint.latest").exists(), "no checkpoints if they are switched off")
+    runs.run("failed", 2, options=["Load stepping/End time=2", "Output/Checkpoint every n steps=0"])
+    check((runs.directory / "failed/checkpoint.latest").exists(), "a checkpoint at the end")
     shutil.rmtree(runs.directory / "failed")
     runs.run("failed", 2, options=["Load stepping/End time=2"])
     before = (runs.directory / "failed/checkpoint.latest").read_text()
@@ -295,9 +111,45 @@ def test_failed_run(runs):
     runs.run("failed", 1, "latest")
     compare(runs, "failed")
     shutil.copytree(runs.directory / "failed", runs.directory / "run anew")
-    runs.run("run anew", 1, options=["Load stepping/End time=2", "Output/Checkpoint every n steps=0"])
+    runs.run("run anew", 1, options=["Load stepping/End time=2", "Output/Checkpoint every n steps=0",
+                                     "Output/Checkpoint at the end=false"])
     text = runs.run("run anew", 1, "latest", exit_code=1)
-    check("An earlier run has left 'run anew/checkpoint-" in text, "a new run does not pass an old checkpoint off as its own")
+    check("There is 'run anew/checkpoint-" in text and "of an earlier time or run" in text,
+          "a new run does not pass an old checkpoint off as its own")
+
+
+def test_directory(runs):
+    """No file of an earlier run passes for one of this run."""
+    fields = ["Output/Every n steps=1"]
+    directory = runs.directory / "directory"
+
+    def steps_of(pattern):
+        return sorted({int(re.search(r"-(\d{4})\.", path.name)[1]) for path in directory.glob(pattern)})
+
+    def index():
+        return [int(step) for step in re.findall(r'file="solution-(\d+).pvtu"', (directory / "solution.pvd").read_text())]
+
+    runs.run("directory", 2, options=fields + ["Load stepping/End time=4", "Output/Contact points=true"])
+    check(index() == steps_of("solution-*") == steps_of("contact_points-*") == [1, 2, 3, 4], "four steps are there")
+    (directory / "solution-of-mine.vtu").write_text("")
+    runs.run("directory", 1, options=fields + ["Load stepping/End time=2", "Output/Format=hdf5"])
+    check(steps_of("solution-*.h5") == [1, 2] and not steps_of("*.*vtu") and not steps_of("contact_points-*")
+          and not (directory / "solution.pvd").exists(), "a new run removes the files of a longer one, also of another format")
+    check((directory / "solution-of-mine.vtu").exists(), "... but no others")
+
+    runs.run("directory", 2, options=fields + ["Load stepping/End time=4"])
+    latest = (directory / "checkpoint.latest").read_text().strip()
+    older = {"checkpoint-a": "checkpoint-b", "checkpoint-b": "checkpoint-a"}[latest]
+    runs.run("directory", 2, "directory/" + older, fields + ["Load stepping/End time=3", "Output/Checkpoint every n steps=0",
+                                                              "Output/Checkpoint at the end=false"])
+    check(index() == steps_of("solution-*") == [1, 2, 3], f"a run that goes on from step 3 drops step 4: {index()}")
+    check((directory / "checkpoint.latest").read_text().strip() == older, "the checkpoint that it goes on from is the latest")
+    record = (directory / "parameters.prm").read_text().splitlines()
+    check(re.fullmatch(r"# stickslip [0-9.]+ \(.*\), 2 ranks", record[0]), f"parameters.prm begins with '{record[0]}'")
+    (runs.directory / "again.prm").write_text("\n".join(record))
+    first = runs.run("directory", 2, options=["Load stepping/End time=3"])
+    again = runs.run("again", 2, case="again.prm", options=["Output/Checkpoint every n steps=1"])
+    check(first == again and "interface.force_x" in again, "parameters.prm is the case")
 
 
 def test_path_dependence(runs):
@@ -328,8 +180,8 @@ def test_refused(runs):
         refused(damage, "half-2", ["damaged", file, f"half-2/{other}"])
     description = runs.directory / f"half-2/{latest}/description"
     text = description.read_text()
-    description.write_text(text.replace("stickslip checkpoint 2", "stickslip checkpoint 1", 1))
-    refused("an older format", "half-2", ["another version", "format is 1", "reads format 2"])
+    description.write_text(text.replace("stickslip checkpoint 3", "stickslip checkpoint 2", 1))
+    refused("an older format", "half-2", ["another version", "format is 2", "reads format 3"])
     description.write_text(text)
     (runs.directory / file).write_bytes(data)
     (runs.directory / file).unlink()
@@ -341,7 +193,8 @@ def test_refused(runs):
 
 def main():
     runs = Runs(sys.argv[1], pathlib.Path(sys.argv[2]))
-    for test in (test_partitions, test_path_dependence, test_algorithms, test_fallback, test_cuts_and_growth, test_failed_run, test_refused):
+    for test in (test_partitions, test_path_dependence, test_algorithms, test_fallback, test_cuts_and_growth, test_failed_run,
+                 test_directory, test_refused):
         test(runs)
     print(f"{len(failures)} comparisons failed")
     return 1 if failures else 0

@@ -19,6 +19,7 @@ NAMES_OF_HEADERS = {
     "cmath": "acos asin atan atan2 cbrt ceil copysign cos cosh exp expm1 fabs floor fma fmod hypot isfinite isinf isnan ldexp log"
              " log10 log1p log2 lround nearbyint pow remainder round sin sinh sqrt tan tanh trunc",
     "cmath cstdlib": "abs",
+    "csignal": "sig_atomic_t signal",
     "cstdint": "int16_t int32_t int64_t int8_t uint16_t uint32_t uint64_t uint8_t",
     "cstdio": "fclose FILE fopen fprintf perror printf rename snprintf",
     "cstdlib": "abort atof atoi atol exit getenv strtod strtol system",
@@ -33,6 +34,7 @@ NAMES_OF_HEADERS = {
     "ios iomanip iostream istream ostream sstream fstream": "defaultfloat fixed hexfloat ios ios_base left right scientific streamsize",
     "iostream": "cerr cin clog cout",
     "istream iostream iosfwd sstream fstream": "istream",
+    "istream iostream sstream fstream": "ws",
     "iterator": "back_inserter distance inserter istreambuf_iterator make_move_iterator next ostream_iterator prev advance",
     "limits": "numeric_limits",
     "list": "list",

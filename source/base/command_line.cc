@@ -280,6 +280,8 @@ Exit codes:
   2  no convergence, even with the smallest load step
   3  internal error: please report it
   4  solved, but a value in section Checks falls short
+  5  stopped by SIGTERM, SIGUSR1 or 'Output/Stop after'; the last accepted state
+     is saved, --restart latest goes on
 )";
   }
 

@@ -2,14 +2,25 @@
 
 namespace stickslip
 {
-  void
-  throw_collectively(const std::string &error, const MPI_Comm communicator)
+  std::string
+  first_error(const std::string &error, const MPI_Comm communicator)
   {
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
     const unsigned int rank    = Utilities::MPI::this_mpi_process(communicator);
     const unsigned int first =
       Utilities::MPI::min(error.empty() ? n_ranks : rank, communicator);
-    if (first < n_ranks)
-      throw UserError(Utilities::MPI::broadcast(communicator, error, first));
+    return first < n_ranks
+             ? Utilities::MPI::broadcast(communicator, error, first)
+             : "";
+  }
+
+
+
+  void
+  throw_collectively(const std::string &error, const MPI_Comm communicator)
+  {
+    const std::string text = first_error(error, communicator);
+    if (!text.empty())
+      throw UserError(text);
   }
 } // namespace stickslip

@@ -212,23 +212,6 @@ namespace stickslip
 
 
 
-  void
-  remove_diagnoses(const std::string &directory)
-  {
-    std::error_code error;
-    for (const auto &file :
-         std::filesystem::directory_iterator(directory, error))
-      {
-        const std::string stem = file.path().stem().string();
-        const std::string number =
-          stem.substr(std::min(stem.size(), sizeof(prefix) - 1));
-        if (stem.compare(0, sizeof(prefix) - 1, prefix) == 0 &&
-            !number.empty() &&
-            number.find_first_not_of("0123456789") == std::string::npos)
-          std::filesystem::remove(file.path(), error);
-      }
-  }
-
   template std::string
   write_diagnosis(const std::string &,
                   const unsigned int,

@@ -1,5 +1,6 @@
 #include <stickslip/output/output_parameters.h>
 
+#include <stickslip/base/duration.h>
 #include <stickslip/base/expert_parameter.h>
 #include <stickslip/base/user_error.h>
 
@@ -97,14 +98,28 @@ namespace stickslip
                "Verbosity",
                verbosity,
                all_verbosities(),
-               "On the screen: 'progress' (a line per step, terse in a "
-               "pipe, and the results), 'results' (numbers only) or "
+               "On the screen: 'progress' (a line per step and the "
+               "results), 'results' (numbers only) or "
                "'quiet' (errors only).");
     prm.add_parameter("Checkpoint every n steps",
                       checkpoint_interval,
                       "Save the state after every n-th accepted step, so that "
-                      "the run can be continued; 0: never.",
+                      "the run can be continued; 0: never. When a step fails "
+                      "for good, or a signal or 'Stop after' ends the run, the "
+                      "last accepted state is saved in any case.",
                       Patterns::Integer(0));
+    prm.add_parameter("Checkpoint at the end",
+                      checkpoint_at_end,
+                      "Save the state at the end of the run, so that it can be "
+                      "continued to a later 'Load stepping/End time'.");
+    prm.add_parameter(
+      "Stop after",
+      stop_after,
+      "Wall-clock time after which the run saves the last accepted state at "
+      "its next Newton iteration and ends with exit code 5; --restart latest "
+      "goes on. '3 h', '90 min', '1 d 12 h', or as in Slurm '02:30:00', "
+      "'1-12:00:00'. Empty: no limit. Leave time for one iteration and for "
+      "writing. SIGTERM and SIGUSR1 do the same.");
 
     prm.add_parameter("Contact points",
                       contact_points,
@@ -129,6 +144,11 @@ namespace stickslip
   {
     if (directory.empty())
       throw UserError(path + "/Directory: a name is needed ('.' for here).");
+    if (!stop_after.empty() && !seconds_of_duration(stop_after))
+      throw UserError("'" + path + "/Stop after' = " + stop_after +
+                      " is no duration. Write '3 h', '90 min', '1 d 12 h', "
+                      "'hours:minutes:seconds' or 'days-hours:minutes:seconds'"
+                      ".");
     for (const auto &[name, point] : points)
       point.check(path + "/Points/" + name);
   }

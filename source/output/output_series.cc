@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <limits>
@@ -87,11 +88,30 @@ namespace stickslip
   OutputSeries::resume(const double time)
   {
     entries.clear();
-    if (Utilities::MPI::this_mpi_process(communicator) != 0)
-      return;
+    std::string error;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0 &&
+        std::filesystem::exists(path_of_index()))
+      {
+        read_index(time);
+        error = write_file_atomically(path_of_index(), index_text());
+      }
+    throw_collectively(error, communicator);
+  }
 
-    const std::string index =
-      read_whole_file(directory + name + (is_hdf5 ? ".xdmf" : ".pvd"));
+
+
+  std::string
+  OutputSeries::path_of_index() const
+  {
+    return directory + name + (is_hdf5 ? ".xdmf" : ".pvd");
+  }
+
+
+
+  void
+  OutputSeries::read_index(const double time)
+  {
+    const std::string              index = read_whole_file(path_of_index());
     const std::vector<std::string> steps =
       is_hdf5 ? parts_between(index, xdmf_grid_begin, xdmf_grid_end)
               : parts_between(index, "<DataSet ", "/>");
@@ -139,9 +159,7 @@ namespace stickslip
     if (error.empty() && Utilities::MPI::this_mpi_process(communicator) == 0)
       {
         entries.push_back(entry);
-        error =
-          write_file_atomically(directory + name + (is_hdf5 ? ".xdmf" : ".pvd"),
-                                index_text());
+        error = write_file_atomically(path_of_index(), index_text());
       }
     throw_collectively(error, communicator);
   }

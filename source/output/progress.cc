@@ -1,12 +1,11 @@
 #include <stickslip/output/progress.h>
 
+#include <stickslip/base/duration.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iomanip>
 #include <sstream>
-
-#include <unistd.h>
 
 namespace stickslip
 {
@@ -26,36 +25,16 @@ namespace stickslip
 
 
 
-  std::string
-  duration_in_words(const double seconds)
-  {
-    const long total      = std::lround(seconds);
-    const auto two_digits = [](const long n) {
-      return (n < 10 ? "0" : "") + std::to_string(n);
-    };
-    if (total < 60)
-      return std::to_string(total) + " s";
-    if (total < 3600)
-      return std::to_string(total / 60) + " min " + two_digits(total % 60) +
-             " s";
-    return std::to_string(total / 3600) + " h " +
-           two_digits(total % 3600 / 60) + " min";
-  }
-
-
-
   Progress::Progress(const Verbosity verbosity,
                      const double    start_time,
                      const double    end_time,
                      const MPI_Comm  communicator,
                      std::ostream   &out)
-    : start_time(start_time)
-    , end_time(end_time)
+    : end_time(end_time)
     , is_active(verbosity == Verbosity::progress &&
                 Utilities::MPI::this_mpi_process(communicator) == 0)
     , shows_results(verbosity != Verbosity::quiet &&
                     Utilities::MPI::this_mpi_process(communicator) == 0)
-    , is_terminal(&out == &std::cout && isatty(fileno(stdout)) == 1)
     , out(out)
     , start(Clock::now())
     , last(start)
@@ -65,9 +44,10 @@ namespace stickslip
 
 
   void
-  Progress::set_terminal(const bool is_terminal)
+  Progress::resume(const double time)
   {
-    this->is_terminal = is_terminal;
+    last      = Clock::now();
+    last_time = time;
   }
 
 
@@ -80,20 +60,9 @@ namespace stickslip
     if (!is_active)
       return;
 
-    const std::string where =
-      "Step " + std::to_string(step) + ", time " + short_number(time);
-    if (is_terminal)
-      {
-        out << where << " of " << short_number(end_time) << ": " << iterations
-            << ", " << time_left(time) << std::endl;
-        return;
-      }
-
-    const double done = (time - start_time) / (end_time - start_time);
-    if (done + 1e-10 < 0.1 * next_tenth)
-      return;
-    next_tenth = static_cast<unsigned int>(10. * (done + 1e-10)) + 1;
-    out << where << " of " << short_number(end_time) << std::endl;
+    out << "Step " << step << ", time " << short_number(time) << " of "
+        << short_number(end_time) << ": " << iterations << ", "
+        << time_left(time) << std::endl;
   }
 
 
@@ -124,12 +93,11 @@ namespace stickslip
   {
     if (!is_active)
       return;
-    out << "Finished after " << n_steps << (n_steps == 1 ? " step" : " steps");
-    if (is_terminal)
-      out << " in "
-          << duration_in_words(
-               std::chrono::duration<double>(Clock::now() - start).count());
-    out << '.' << std::endl;
+    out << "Finished after " << n_steps << (n_steps == 1 ? " step" : " steps")
+        << " in "
+        << duration_in_words(
+             std::chrono::duration<double>(Clock::now() - start).count())
+        << '.' << std::endl;
   }
 
 

@@ -1,9 +1,11 @@
 #include <stickslip/simulation/case_parameters.h>
 
 #include <stickslip/base/declared_parameters.h>
+#include <stickslip/base/print_parameters.h>
 #include <stickslip/base/user_error.h>
 
 #include <cmath>
+#include <sstream>
 
 namespace stickslip
 {
@@ -135,6 +137,9 @@ namespace stickslip
       add_values(all, "Materials", physics);
     if (!contact_pairs.empty())
       add_values(all, "Contact", physics);
+    std::ostringstream values;
+    print_parameters(values, prm, ParameterFormat::all);
+    record = values.str();
   }
 
 

@@ -6,6 +6,7 @@
 
 #include <stickslip/simulation/cell_records.h>
 #include <stickslip/simulation/cell_state.h>
+#include <stickslip/simulation/checkpoint_damage.h>
 #include <stickslip/simulation/checkpoint_directory.h>
 
 #include <deal.II/base/mpi.h>
@@ -79,7 +80,8 @@ namespace stickslip
               const std::string     damage = description.parse(text);
               if (!other.empty())
                 error = "--restart: the checkpoint '" + checkpoint +
-                        "' cannot be used: " + other + ".";
+                        "' cannot be used: " + other + "." +
+                        name_whole_checkpoint_beside(checkpoint);
               else if (!damage.empty())
                 error = describe_damage(checkpoint, damage);
               else
@@ -131,6 +133,10 @@ namespace stickslip
                    ContactProblem<dim>         &problem,
                    StateVectors                &fields)
     {
+      const MPI_Comm     communicator = problem.contact().get_communicator();
+      const unsigned int n_ranks =
+        Utilities::MPI::n_mpi_processes(communicator);
+      const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
       const PartitionFreeNames<dim> names(
         problem.layout().dof_handler.get_triangulation());
       std::map<CellKey, typename DoFHandler<dim>::active_cell_iterator> missing;
@@ -142,11 +148,12 @@ namespace stickslip
       CellState<dim>      state(problem);
       std::vector<double> record;
       for (const unsigned int n :
-           reading_order(description.n_files,
-                         problem.contact().get_communicator()))
+           reading_order(description.n_files, communicator))
         {
-          if (missing.empty())
-            return "";
+          // somebody opens every file, also those without any cells
+          const bool is_mine = n % n_ranks == rank;
+          if (missing.empty() && !is_mine)
+            continue;
           const std::string file = path_of_cells(checkpoint, n);
           CellRecordReader  reader(file, description.identity);
           if (!reader.error().empty())
@@ -210,11 +217,12 @@ namespace stickslip
           state.write(cell, fields, record);
           writer.add(names.name_of(cell->id()), record);
         }
-    throw_collectively(writer.finish(), communicator);
-
-    if (rank == 0)
+    error = first_error(writer.finish(), communicator);
+    if (error.empty() && rank == 0)
       error =
         declare_complete(checkpoint, description.text(), description.n_files);
+    if (!error.empty() && rank == 0)
+      error += name_whole_checkpoint_beside(checkpoint);
     throw_collectively(error, communicator);
   }
 
@@ -236,8 +244,9 @@ namespace stickslip
     const LA::Vector &zero = accepted.x.block(0);
     StateVectors      fields{zero, zero, zero, accepted.x.block(1)};
     std::string       damage =
-      read_own_cells(checkpoint, description, problem, fields);
-    if (!damage.empty())
+      first_error(read_own_cells(checkpoint, description, problem, fields),
+                  communicator);
+    if (!damage.empty() && Utilities::MPI::this_mpi_process(communicator) == 0)
       damage = describe_damage(checkpoint, damage);
     throw_collectively(damage, communicator);
     for (LA::Vector *field : {&fields.displacement,

@@ -20,13 +20,27 @@ namespace stickslip
   namespace
   {
     const std::string checkpoint_mark   = "stickslip checkpoint ";
-    const std::string checkpoint_format = "2";
+    const std::string checkpoint_format = "3";
     const std::string checkpoint_first_line =
       checkpoint_mark + checkpoint_format;
     const std::string checkpoint_last_line = "end";
 
+    /// Begins the line after the last one.
+    const std::string checksum_mark = "checksum = ";
+
     /// Begins the lines of CheckpointDescription::physics.
     const std::string parameter_mark = "parameter ";
+
+    /// The line that has to follow on @p content.
+    std::string
+    checksum_line(const std::string &content)
+    {
+      return checksum_mark +
+             std::to_string(hash_of_bytes(content.data(), content.size())) +
+             "\n";
+    }
+
+
 
     /// Sums over the same mesh differ by less than this fraction of the sum of
     /// the sizes of their terms, whatever the order.
@@ -202,7 +216,7 @@ namespace stickslip
     for (const auto &[name, value] : physics)
       out << parameter_mark << name << " = " << value << '\n';
     out << checkpoint_last_line << '\n';
-    return out.str();
+    return out.str() + checksum_line(out.str());
   }
 
 
@@ -229,6 +243,9 @@ namespace stickslip
     if (!std::getline(in, line) || line != checkpoint_first_line)
       return "its description does not begin with '" + checkpoint_first_line +
              "'";
+    const std::string content = text.substr(0, text.rfind(checksum_mark));
+    if (text != content + checksum_line(content))
+      return "its description does not have its checksum";
     bool       is_good = true;
     const auto read    = [&](const std::string &name, auto &value) {
       const std::string start = name + " = ";

@@ -2,9 +2,11 @@
 
 #include <stickslip/output/output_directory.h>
 
-#include <algorithm>
+#include <stickslip/simulation/checkpoint_damage.h>
+
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 namespace stickslip
 {
@@ -22,14 +24,27 @@ namespace stickslip
 
 
 
+    /// All of checkpoint.latest; "" if it is not there.
+    std::string
+    content_of_latest(const std::string &directory)
+    {
+      std::ifstream      file(path_of_latest(directory), std::ios::binary);
+      std::ostringstream content;
+      content << file.rdbuf();
+      return content.str();
+    }
+
+
+
     /// Name of the directory of the valid checkpoint; "" if there is none.
     std::string
     latest_slot(const std::string &directory)
     {
-      std::ifstream file(path_of_latest(directory));
-      std::string   slot;
-      std::getline(file, slot);
-      return slot;
+      const std::string content = content_of_latest(directory);
+      for (const std::string &slot : checkpoint_slots)
+        if (content == slot + "\n")
+          return slot;
+      return "";
     }
   } // namespace
 
@@ -101,41 +116,51 @@ namespace stickslip
   find_checkpoint(const std::string &directory, std::string &error)
   {
     const std::string slot = latest_slot(directory);
-    if (slot.empty() && std::filesystem::exists(path_of_description(directory)))
+    if (!slot.empty())
+      return directory + "/" + slot;
+    if (std::filesystem::exists(path_of_description(directory)))
       return directory;
-    if (std::find(checkpoint_slots, checkpoint_slots + 2, slot) ==
-        checkpoint_slots + 2)
-      {
-        error = "--restart: there is no checkpoint in '" + directory +
-                "'. A run writes them if 'Output/Checkpoint every n steps' is "
-                "set, and when a step fails for good.";
-        for (const std::string &earlier : checkpoint_slots)
-          if (std::filesystem::exists(
-                path_of_description(directory + "/" + earlier)))
-            error += " An earlier run has left '" + directory + "/" + earlier +
-                     "', which --restart accepts, too.";
-      }
-    return directory + "/" + slot;
+    error = content_of_latest(directory).empty()
+              ? "--restart: there is no checkpoint in '" + directory +
+                  "'. A run writes one at its end and with 'Output/Checkpoint "
+                  "every n steps'."
+              : "--restart: '" + path_of_latest(directory) + "' is damaged.";
+    for (const std::string &earlier : checkpoint_slots)
+      if (find_damage(directory + "/" + earlier).empty())
+        error += " There is '" + directory + "/" + earlier +
+                 "' of an earlier time or run, which --restart accepts, too.";
+    return "";
   }
 
 
 
   std::string
-  describe_damage(const std::string &checkpoint, const std::string &damage)
+  make_latest_checkpoint(const std::string &checkpoint,
+                         const std::string &output_directory)
   {
-    std::string text = "--restart: the checkpoint '" + checkpoint +
-                       "' is damaged: " + damage + ".";
+    std::error_code error;
+    for (const std::string &slot : checkpoint_slots)
+      if (std::filesystem::equivalent(checkpoint,
+                                      output_directory + "/" + slot,
+                                      error) &&
+          latest_slot(output_directory) != slot)
+        return write_file_atomically(path_of_latest(output_directory),
+                                     slot + "\n");
+    return "";
+  }
+
+
+
+  std::string
+  checkpoint_beside(const std::string &checkpoint)
+  {
     for (unsigned int s = 0; s < 2; ++s)
       {
         const auto at = checkpoint.rfind("/" + checkpoint_slots[s]);
-        if (at == std::string::npos)
-          continue;
-        const std::string other =
-          checkpoint.substr(0, at) + "/" + checkpoint_slots[1 - s];
-        if (std::filesystem::exists(path_of_description(other)))
-          text += " The one before it is '" + other + "'.";
+        if (at != std::string::npos)
+          return checkpoint.substr(0, at + 1) + checkpoint_slots[1 - s];
       }
-    return text;
+    return "";
   }
 
 

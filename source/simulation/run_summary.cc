@@ -33,8 +33,9 @@ namespace stickslip
       std::vector<CutAttempt>  cuts;
       std::vector<std::string> warnings;
       std::string              last_step;
-      bool                     is_done    = false;
-      bool                     is_stopped = false;
+      bool                     is_done        = false;
+      bool                     is_stopped     = false;
+      bool                     is_interrupted = false;
     };
 
 
@@ -65,11 +66,15 @@ namespace stickslip
             summary.cuts.push_back({summary.last_step, "", "", "", ""});
           else if (begins_with(line, "step ", rest))
             {
-              summary.last_step  = line;
-              summary.is_stopped = false; // continued
+              summary.last_step      = line;
+              summary.is_stopped     = false; // continued
+              summary.is_interrupted = false;
+              summary.is_done        = false;
             }
           else if (begins_with(line, "stopped:", rest))
             summary.is_stopped = true;
+          else if (begins_with(line, "interrupted:", rest))
+            summary.is_interrupted = true;
           else if (begins_with(line, "done:", rest))
             summary.is_done = true;
           else if (begins_with(line, "warning:", rest))
@@ -136,6 +141,18 @@ namespace stickslip
 
 
 
+    std::string
+    state_in_words(const LogSummary &log)
+    {
+      return log.is_done      ? "done"
+             : log.is_stopped ? "stopped without convergence"
+             : log.is_interrupted
+               ? "interrupted (--restart latest goes on)"
+               : "not finished (running, or ended from outside)";
+    }
+
+
+
     void
     print_progress(const CsvTable   &table,
                    const LogSummary &log,
@@ -145,12 +162,8 @@ namespace stickslip
         table.rows.empty()
           ? "0"
           : text_of(table.number(table.rows.size() - 1, "time"));
-      out << "State:       "
-          << (log.is_done ? "done, "
-              : log.is_stopped
-                ? "stopped without convergence, "
-                : "not finished (running, or ended from outside), ")
-          << table.rows.size() << " steps to t = " << time << '\n';
+      out << "State:       " << state_in_words(log) << ", " << table.rows.size()
+          << " steps to t = " << time << '\n';
       if (!log.is_done && !log.last_step.empty())
         out << "Last try:    " << log.last_step << '\n';
     }

@@ -1,16 +1,15 @@
 #include <stickslip/simulation/simulation.h>
 
+#include <stickslip/base/duration.h>
 #include <stickslip/base/no_convergence.h>
 #include <stickslip/base/user_error.h>
 
 #include <stickslip/contact/results/contact_results.h>
 
-#include <stickslip/output/diagnosis_output.h>
-#include <stickslip/output/output_directory.h>
-
 #include <stickslip/simulation/checkpoint.h>
-#include <stickslip/simulation/checkpoint_directory.h>
 #include <stickslip/simulation/final_results.h>
+#include <stickslip/simulation/run_files.h>
+#include <stickslip/simulation/step_statistics.h>
 
 #include <iostream>
 #include <sstream>
@@ -47,7 +46,9 @@ namespace stickslip
     , statistics(parameters.output.directory + "/statistics", communicator)
     , force_tables(parameters, communicator)
     , log(parameters.output.directory, communicator)
-    , step_solver(parameters, problem, *linear_solver, log)
+    , stop_requests(seconds_of_duration(parameters.output.stop_after),
+                    communicator)
+    , step_solver(parameters, problem, *linear_solver, log, stop_requests)
     , progress(parameters.output.verbosity,
                0.,
                parameters.load_stepping.end_time,
@@ -66,22 +67,20 @@ namespace stickslip
   unsigned int
   Simulation<dim>::run(const std::string &restart_from)
   {
-    log.open(!restart_from.empty());
-    for (const std::string &text : warnings.of_parameters())
-      warn(text);
-    if (!restart_from.empty())
-      resume(restart_from);
-    else if (Utilities::MPI::this_mpi_process(communicator) == 0)
+    begin(restart_from);
+    try
       {
-        retire_checkpoints(parameters.output.directory);
-        remove_diagnoses(parameters.output.directory);
+        while (!steps().finished())
+          {
+            begin_step();
+            while (!solve_step())
+              {}
+            accept_step();
+          }
       }
-    while (!steps().finished())
+    catch (const RunStopped &request)
       {
-        begin_step();
-        while (!solve_step())
-          {}
-        accept_step();
+        interrupt(request);
       }
     log.note("done: " + std::to_string(steps().step_number()) + " steps");
     progress.finished(steps().step_number());
@@ -92,8 +91,35 @@ namespace stickslip
 
   template <int dim>
   void
+  Simulation<dim>::begin(const std::string &restart_from)
+  {
+    RunStart start = find_run_start(parameters, restart_from, communicator);
+    ParameterValues old_physics;
+    if (!start.checkpoint.empty())
+      old_physics = load_state(start.checkpoint);
+    start.step = steps().step_number();
+    if (start.goes_on)
+      continue_tables();
+    prepare_run_files(parameters, start, communicator);
+    log.open(start.goes_on);
+    for (const std::string &text : warnings.of_parameters())
+      warn(text);
+    if (start.checkpoint.empty())
+      return;
+    log.note("continues from " + start.checkpoint);
+    if (!old_physics.empty())
+      for (const auto &text : changed_values(old_physics, parameters.physics))
+        warn("the state was computed with another parameter: " + text + ".");
+  }
+
+
+
+  template <int dim>
+  void
   Simulation<dim>::begin_step()
   {
+    control_of_accepted_state = step_control.state();
+    stop_requests.check();
     step_control.begin_step();
     step_solver.begin_step();
   }
@@ -210,7 +236,7 @@ namespace stickslip
     std::string state = "Continue it with --restart latest.";
     try
       {
-        write_checkpoint();
+        write_checkpoint(step_control.state());
       }
     catch (const UserError &error)
       {
@@ -219,6 +245,23 @@ namespace stickslip
     const std::string text = report.final_text(last, steps().time(), state);
     log.note("stopped: " + text);
     throw NoConvergence(text, failure);
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::interrupt(const RunStopped &request)
+  {
+    problem.restore();
+    write_checkpoint(control_of_accepted_state);
+    std::ostringstream text;
+    text << request.what() << ". The last accepted state, step "
+         << steps().step_number() << " at t = " << steps().time()
+         << ", is saved in '" << parameters.output.directory
+         << "'. Continue it with --restart latest.";
+    log.note("interrupted: " + text.str());
+    throw RunStopped(text.str());
   }
 
 
@@ -248,47 +291,48 @@ namespace stickslip
                        problem.layout().dof_handler,
                        problem.ghosted_displacement(),
                        material);
-    if (parameters.output.checkpoint_interval > 0 &&
-        step % parameters.output.checkpoint_interval == 0)
-      write_checkpoint();
+    if (parameters.output.is_saved(step, steps().finished()))
+      write_checkpoint(step_control.state());
   }
 
 
 
   template <int dim>
   void
-  Simulation<dim>::write_checkpoint()
+  Simulation<dim>::write_checkpoint(const StepControlState &control)
   {
     save_checkpoint(parameters.output.directory,
                     problem,
                     accepted,
-                    {step_control.state(), work},
+                    {control, work},
                     parameters.physics);
   }
 
 
 
   template <int dim>
-  void
-  Simulation<dim>::resume(const std::string &restart_from)
+  ParameterValues
+  Simulation<dim>::load_state(const std::string &checkpoint)
   {
-    const std::string &directory =
-      restart_from == "latest" ? parameters.output.directory : restart_from;
-    ParameterValues         old_physics;
+    ParameterValues         physics;
     const CheckpointScalars scalars =
-      load_checkpoint(directory, problem, accepted, old_physics);
+      load_checkpoint(checkpoint, problem, accepted, physics);
     work = scalars.work;
     step_control.resume(scalars.control);
-    const double time = steps().time();
     // pairs the points and sets the scales that the first thresholds need
-    problem.begin_step(time, accepted.x);
+    problem.begin_step(steps().time(), accepted.x);
     problem.begin_iteration(accepted.x);
-    log.note("continues from " + directory);
-    if (!old_physics.empty())
-      for (const auto &text : changed_values(old_physics, parameters.physics))
-        warn("the state was computed with another parameter: " + text + ".");
-    if (!checkpoint_is_in(directory, parameters.output.directory, communicator))
-      return; // the tables there are of another run
+    progress.resume(steps().time());
+    return physics;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::continue_tables()
+  {
+    const double time = steps().time();
     field_output.resume(time);
     contact_output.resume(time);
     point_values.resume(time);
@@ -302,41 +346,8 @@ namespace stickslip
   void
   Simulation<dim>::write_statistics()
   {
-    const SolveCounts          &counts    = problem.counts;
-    const Verification         &found     = step_solver.verification();
-    const auto                 &violation = found.violation;
-    const CycleTreatmentCounts &cycle_treatment =
-      step_solver.cycle_treatment.counts;
-    statistics.add("step", steps().step_number());
-    statistics.add("time", steps().time());
-    statistics.add("algorithm", name_of(solved.algorithm));
-    statistics.add("geometry_loops", counts.geometry_loops);
-    statistics.add("threshold_loops", counts.threshold_loops);
-    statistics.add("status_loops", counts.status_loops);
-    statistics.add("newton_iterations", counts.newton_iterations);
-    statistics.add("pairings", counts.pairings);
-    statistics.add("linear_iterations", counts.linear_iterations);
-    statistics.add("multigrid_setups", counts.multigrid_setups);
-    statistics.add("direct_fallbacks", counts.direct_fallbacks);
-    statistics.add("cuts", step_control.n_cuts());
-    statistics.add("failed_newton_iterations",
-                   step_solver.failed_newton_iterations());
-    statistics.add("cycles", cycle_treatment.cycles);
-    statistics.add("adapted_r", cycle_treatment.adapted_scales);
-    statistics.add("held_statuses", cycle_treatment.fixed_statuses);
-    statistics.add("sparsity_rebuilds", counts.sparsity_rebuilds);
-    statistics.add("assembly_seconds", counts.assembly_seconds);
-    statistics.add("contact_seconds", counts.contact_seconds);
-    statistics.add("setup_seconds", counts.setup_seconds);
-    statistics.add("solve_seconds", counts.solve_seconds);
-    statistics.add("max_penetration", violation.penetration);
-    statistics.add("max_tension", violation.tension);
-    statistics.add("max_disc_excess", violation.friction_cone_excess);
-    statistics.add("max_stick_slip", violation.stick_slip);
-    statistics.add("max_direction_error", violation.direction);
-    statistics.add("normal_law_error", violation.normal_law);
-    statistics.add("friction_law_error", violation.friction_law);
-    statistics.add("fresh_residual", found.residual.equilibrium);
+    add_step_statistics(
+      step_control, solved, problem.counts, step_solver, statistics);
     work.add_to(statistics);
     statistics.finish_row();
   }

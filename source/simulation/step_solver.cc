@@ -22,13 +22,15 @@ namespace stickslip
                         ContactProblem<dim>       &problem,
                         LinearSolver              &linear_solver,
                         StatusCycleTreatment<dim> &cycle_treatment,
-                        ConvergenceLog            &log)
+                        ConvergenceLog            &log,
+                        const StopRequests        &stop_requests)
         : attempt(attempt)
         , increment_solver(increment_solver)
         , problem(problem)
         , linear_solver(linear_solver)
         , cycle_treatment(cycle_treatment)
         , log(log)
+        , stop_requests(stop_requests)
       {}
 
       void
@@ -49,6 +51,7 @@ namespace stickslip
                       const double           sufficient,
                       LA::BlockVector       &increment) override
       {
+        stop_requests.check();
         if (problem.counts.newton_iterations >= attempt.budget)
           throw NoConvergence(name_of(attempt.algorithm),
                               "no end in sight after " +
@@ -106,6 +109,7 @@ namespace stickslip
       LinearSolver              &linear_solver;
       StatusCycleTreatment<dim> &cycle_treatment;
       ConvergenceLog            &log;
+      const StopRequests        &stop_requests;
 
       void
       solve_linear_system(const LA::BlockVector &x,
@@ -133,12 +137,14 @@ namespace stickslip
   StepSolver<dim>::StepSolver(const CaseParameters &parameters,
                               ContactProblem<dim>  &problem,
                               LinearSolver         &linear_solver,
-                              ConvergenceLog       &log)
+                              ConvergenceLog       &log,
+                              const StopRequests   &stop_requests)
     : cycle_treatment(parameters.cycling, problem.contact())
     , parameters(parameters)
     , problem(problem)
     , linear_solver(linear_solver)
     , log(log)
+    , stop_requests(stop_requests)
   {}
 
 
@@ -218,7 +224,8 @@ namespace stickslip
                                           problem,
                                           linear_solver,
                                           cycle_treatment,
-                                          log);
+                                          log,
+                                          stop_requests);
     const NewtonSolver     newton_solver(parameters.algorithm.newton,
                                      newton_problem);
     const NestedFixedPoint fixed_point(

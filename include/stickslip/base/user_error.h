@@ -25,6 +25,13 @@ namespace stickslip
 
 
 
+  /// The first (by rank) non-empty @p error, on all ranks; empty if all are.
+  /// Collective.
+  std::string
+  first_error(const std::string &error, const MPI_Comm communicator);
+
+
+
   /**
    * Throws UserError with the first (by rank) non-empty @p error on all ranks;
    * does nothing if all are empty. Collective.

@@ -24,11 +24,6 @@ namespace stickslip
                   const std::vector<PointDiagnosis<dim>> &points,
                   const std::vector<std::string>         &pair_names,
                   const MPI_Comm                          communicator);
-
-  /// Removes what write_diagnosis() has written in an earlier run. To be called
-  /// on rank 0.
-  void
-  remove_diagnoses(const std::string &directory);
 } // namespace stickslip
 
 #endif

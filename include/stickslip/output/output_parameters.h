@@ -63,7 +63,9 @@ namespace stickslip
     bool         deformed            = false;
     Verbosity    verbosity           = Verbosity::progress;
     unsigned int checkpoint_interval = 0;
-    bool         contact_points      = false;
+    bool         checkpoint_at_end   = true;
+    std::string  stop_after; ///< a duration; empty: never
+    bool         contact_points = false;
 
     NamedList<PointParameters> points;
 
@@ -83,6 +85,14 @@ namespace stickslip
     is_written(const unsigned int step) const
     {
       return step % every_n_steps == 0;
+    }
+
+    /// True if the state after @p step is to be saved.
+    bool
+    is_saved(const unsigned int step, const bool is_last) const
+    {
+      return (checkpoint_interval > 0 && step % checkpoint_interval == 0) ||
+             (checkpoint_at_end && is_last);
     }
   };
 } // namespace stickslip

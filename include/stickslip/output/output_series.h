@@ -29,7 +29,8 @@ namespace stickslip
 
     /**
      * Takes over the steps up to @p time from the index file of an earlier
-     * run; later ones are dropped. Collective.
+     * run; later ones are dropped, also in the file. Collective; throws
+     * UserError on all ranks if it cannot be written.
      */
     void
     resume(const double time);
@@ -74,6 +75,13 @@ namespace stickslip
                const std::string                     &step_name,
                const double                           time,
                std::string                           &grid) const;
+
+    std::string
+    path_of_index() const;
+
+    /// Reads the entries up to @p time from the index file.
+    void
+    read_index(const double time);
 
     std::string
     index_text() const;

@@ -12,10 +12,10 @@
 namespace stickslip
 {
   /**
-   * Tells on the screen how far a run is, with Verbosity::progress:
-   * on a terminal one line per step with an estimate of the time left; in a
-   * pipe or file only a line at each tenth of the simulated time and the
-   * rejected steps. Only rank 0 speaks. Not collective.
+   * Tells on the screen how far a run is, with Verbosity::progress: a line per
+   * step with what it took and an estimate of the time left, the same on a
+   * terminal and in the log of a batch system, and the rejected steps. Only
+   * rank 0 speaks. Not collective.
    */
   class Progress
   {
@@ -26,9 +26,9 @@ namespace stickslip
              const MPI_Comm  communicator,
              std::ostream   &out = std::cout);
 
-    /// For tests: say whether @p out is a terminal.
+    /// The run goes on from @p time, which it has not spent time on.
     void
-    set_terminal(const bool is_terminal);
+    resume(const double time);
 
     /**
      * A step to @p time was accepted; @p iterations in words, for example
@@ -66,24 +66,17 @@ namespace stickslip
     std::string
     time_left(const double time);
 
-    const double  start_time;
     const double  end_time;
     const bool    is_active;
     const bool    shows_results;
-    bool          is_terminal;
     std::ostream &out;
 
     const Clock::time_point start;
     Clock::time_point       last;
     double                  last_time;
     /// Wall seconds per simulated time, mean over the latest steps.
-    double       pace       = 0.;
-    unsigned int next_tenth = 1;
+    double pace = 0.;
   };
-
-  /// "45 s", "3 min 20 s", "2 h 05 min".
-  std::string
-  duration_in_words(const double seconds);
 } // namespace stickslip
 
 #endif

@@ -55,6 +55,9 @@ namespace stickslip
     /// their values: what a state depends on beside the mesh.
     ParameterValues physics;
 
+    /// All values as a parameter file; for the record of a run.
+    std::string record;
+
     CaseParameters() = default;
 
     // ParameterHandler keeps references to the members.

@@ -53,7 +53,8 @@ namespace stickslip
    * million cells, and memory for one of them.
    *
    * Collective; throws UserError on all ranks if there is none or it does not
-   * fit or is damaged.
+   * fit or is damaged: every byte of every file is behind a checksum or an
+   * expected value, and each file is opened by some rank.
    */
   template <int dim>
   CheckpointScalars

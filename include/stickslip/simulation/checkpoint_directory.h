@@ -45,10 +45,16 @@ namespace stickslip
   std::string
   find_checkpoint(const std::string &directory, std::string &error);
 
-  /// Says that @p checkpoint cannot be used because of @p damage, and where
-  /// another one is.
+  /// Path of the other one of the two; "" if @p checkpoint is neither.
   std::string
-  describe_damage(const std::string &checkpoint, const std::string &damage);
+  checkpoint_beside(const std::string &checkpoint);
+
+  /// Makes @p checkpoint the valid one if it is one of those below
+  /// @p output_directory, whatever was: the next one to be written must not
+  /// replace it. Returns an empty string, or what went wrong.
+  std::string
+  make_latest_checkpoint(const std::string &checkpoint,
+                         const std::string &output_directory);
 
   /// True if @p directory, as find_checkpoint() takes it, is
   /// @p output_directory or one of the checkpoints in it. Collective.

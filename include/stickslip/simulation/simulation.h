@@ -1,6 +1,8 @@
 #ifndef stickslip_simulation_simulation_h
 #define stickslip_simulation_simulation_h
 
+#include <stickslip/base/stop_requests.h>
+
 #include <stickslip/contact/cycling/status_history.h>
 
 #include <stickslip/mesh/mesh_builder.h>
@@ -44,9 +46,10 @@ namespace stickslip
 
     /**
      * Solves all load steps and writes the results. Returns the number of
-     * reference checks that fell short. Throws UserError and, when the step
-     * cannot be cut any more, NoConvergence; the last accepted state is then in
-     * the output directory. Collective.
+     * reference checks that fell short. Throws UserError; NoConvergence when
+     * the step cannot be cut any more, and RunStopped when somebody has asked
+     * for an end: the last accepted state is then in the output directory.
+     * Collective.
      */
     unsigned int
     run(const std::string &restart_from);
@@ -59,11 +62,12 @@ namespace stickslip
     std::unique_ptr<LinearSolver> linear_solver;
     StepControl                   step_control;
 
-    LA::BlockVector x;        ///< present state
-    AcceptedState   accepted; ///< last accepted state
-    Attempt         solved;   ///< the last step
-    WorkBalance     work;
-    ContactWarnings warnings;
+    LA::BlockVector  x;        ///< present state
+    AcceptedState    accepted; ///< last accepted state
+    Attempt          solved;   ///< the last step
+    StepControlState control_of_accepted_state;
+    WorkBalance      work;
+    ContactWarnings  warnings;
 
     FieldOutput<dim>   field_output;
     ContactOutput<dim> contact_output;
@@ -71,6 +75,7 @@ namespace stickslip
     StatisticsTable    statistics;
     ForceTables        force_tables;
     ConvergenceLog     log;
+    StopRequests       stop_requests;
     StepSolver<dim>    step_solver;
     Progress           progress;
 
@@ -81,6 +86,11 @@ namespace stickslip
       return step_control.steps();
     }
 
+    /// Reads the checkpoint to start from, if any, and opens tables and log.
+    void
+    begin(const std::string &restart_from);
+
+    /// Throws RunStopped.
     void
     begin_step();
 
@@ -113,6 +123,11 @@ namespace stickslip
     [[noreturn]] void
     stop(const NoConvergence &failure, const FailureReport &report);
 
+    /// Ends the run at the last accepted state because of @p request, so that
+    /// it can go on as if it had not been interrupted: always throws.
+    [[noreturn]] void
+    interrupt(const RunStopped &request);
+
     void
     write_results(const std::vector<ContactFaceResult<dim>> &faces);
 
@@ -120,10 +135,16 @@ namespace stickslip
     write_statistics();
 
     void
-    write_checkpoint();
+    write_checkpoint(const StepControlState &control);
 
+    /// Continues at the state of @p checkpoint, a directory that --restart
+    /// accepts. Returns the parameters that it was computed with.
+    ParameterValues
+    load_state(const std::string &checkpoint);
+
+    /// Tables and indices go on after the present time.
     void
-    resume(const std::string &restart_from);
+    continue_tables();
 
     unsigned int
     report_final_results();

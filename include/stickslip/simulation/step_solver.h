@@ -1,6 +1,8 @@
 #ifndef stickslip_simulation_step_solver_h
 #define stickslip_simulation_step_solver_h
 
+#include <stickslip/base/stop_requests.h>
+
 #include <stickslip/contact/cycling/status_cycle_treatment.h>
 
 #include <stickslip/linear_solvers/linear_solver.h>
@@ -27,7 +29,8 @@ namespace stickslip
     StepSolver(const CaseParameters &parameters,
                ContactProblem<dim>  &problem,
                LinearSolver         &linear_solver,
-               ConvergenceLog       &log);
+               ConvergenceLog       &log,
+               const StopRequests   &stop_requests);
 
     /// A step begins: all counts of a step are zero.
     void
@@ -37,7 +40,8 @@ namespace stickslip
      * Solves the step to @p time from the state @p accepted, where attempts may
      * start from @p predicted, too; the solution is @p x. Returns the attempt
      * that solved it; problem.counts has what that one took. Throws the
-     * NoConvergence of the last attempt when @p control knows no further one.
+     * NoConvergence of the last attempt when @p control knows no further one,
+     * and RunStopped before an iteration if the run has to end.
      */
     Attempt
     solve(const double           time,
@@ -67,6 +71,7 @@ namespace stickslip
     ContactProblem<dim>  &problem;
     LinearSolver         &linear_solver;
     ConvergenceLog       &log;
+    const StopRequests   &stop_requests;
     Verification          found;
     unsigned int          failed_iterations = 0; ///< of this step
 
