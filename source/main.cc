@@ -1,6 +1,7 @@
 #include <stickslip/base/command_line.h>
 #include <stickslip/base/no_convergence.h>
 #include <stickslip/base/print_parameters.h>
+#include <stickslip/base/short_message.h>
 #include <stickslip/base/stop_requests.h>
 #include <stickslip/base/user_error.h>
 
@@ -206,7 +207,8 @@ main(int argc, char **argv)
   return_free_memory();
   const auto report = [](const std::string &kind, const std::string &text) {
     if (is_speaker())
-      std::cerr << "stickslip: " << kind << ": " << text << std::endl;
+      std::cerr << "stickslip: " << kind << ": " << without_long_words(text)
+                << std::endl;
   };
   try
     {
@@ -242,7 +244,7 @@ main(int argc, char **argv)
       // Possibly on this rank only: the others must not wait for it.
       std::cerr << "stickslip: internal error on rank "
                 << Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) << ": "
-                << error.what() << std::endl;
+                << without_long_words(error.what()) << std::endl;
       MPI_Abort(MPI_COMM_WORLD, internal_error);
       return internal_error;
     }

@@ -76,7 +76,8 @@ namespace stickslip
     const std::string prefix =
       included_at.empty() ? "The" : included_at + ": the";
 
-    if (std::filesystem::is_directory(file_name))
+    std::error_code error; // a name that is too long opens nothing
+    if (std::filesystem::is_directory(file_name, error))
       throw UserError(prefix + " parameter file '" + file_name +
                       "' is a directory.");
     std::ifstream input(file_name);

@@ -17,10 +17,7 @@ namespace stickslip
 
     const std::string name = "Linear solver (MUMPS)";
 
-    const std::string singular_text =
-      "the matrix is singular. A body is held by no boundary condition and by "
-      "no closed contact, or the multipliers of a slave node are constrained "
-      "twice";
+    const std::string singular_text = "the matrix is singular";
   } // namespace
 
 

@@ -14,6 +14,7 @@
 #include <deal.II/grid/manifold_lib.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace stickslip
@@ -46,7 +47,13 @@ namespace stickslip
         [&](const Point<dim> &x) {
           Point<dim> moved;
           for (unsigned int d = 0; d < dim; ++d)
-            moved[d] = new_coordinates->value(x, d);
+            {
+              moved[d] = new_coordinates->value(x, d);
+              if (!std::isfinite(moved[d]))
+                throw UserError(parameter_path + ": '" + expressions[d] +
+                                "' is not a finite number at the vertex " +
+                                coordinates_in_message(x) + ".");
+            }
           return moved;
         },
         triangulation);

@@ -266,11 +266,12 @@ namespace stickslip
       {
         const std::string path = "Bodies/" + name;
         body.check(path);
-        append_body(name,
-                    body.is_rigid,
-                    *make_body_mesh<dim>(body, path, files, size),
-                    mesh.bodies,
-                    joined_mesh);
+        const auto body_mesh = make_body_mesh<dim>(body, path, files, size);
+        const std::string warning =
+          warning_about_seams(body_mesh->triangulation, path);
+        if (!warning.empty())
+          mesh.warnings.push_back(warning);
+        append_body(name, body.is_rigid, *body_mesh, mesh.bodies, joined_mesh);
       }
 
     mesh.periodic_boundaries =

@@ -4,30 +4,19 @@
 
 #include <deal.II/base/geometry_info.h>
 
+#include <deal.II/grid/grid_tools.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <sstream>
 
 namespace stickslip
 {
   namespace
   {
-    template <int dim>
-    std::string
-    coordinates_in_message(const Point<dim> &point)
-    {
-      std::ostringstream text;
-      text << '(';
-      for (unsigned int d = 0; d < dim; ++d)
-        text << (d > 0 ? ", " : "") << point[d];
-      text << ')';
-      return text.str();
-    }
-
-
-
     /// Smallest Jacobian determinant at the vertices relative to a cube of the
     /// cell's size.
     template <int dim>
@@ -53,6 +42,20 @@ namespace stickslip
       return smallest;
     }
   } // namespace
+
+
+
+  template <int dim>
+  std::string
+  coordinates_in_message(const Point<dim> &point)
+  {
+    std::ostringstream text;
+    text << '(';
+    for (unsigned int d = 0; d < dim; ++d)
+      text << (d > 0 ? ", " : "") << point[d];
+    text << ')';
+    return text.str();
+  }
 
 
 
@@ -106,6 +109,43 @@ namespace stickslip
 
 
 
+  template <int dim>
+  std::string
+  warning_about_seams(const Triangulation<dim> &triangulation,
+                      const std::string        &path)
+  {
+    // Twins come from the same numbers, so that roundoff does not part them.
+    constexpr double tolerance = 1e-9;
+
+    const double                    size = GridTools::diameter(triangulation);
+    std::set<std::array<long, dim>> places;
+    std::string                     where;
+    unsigned int                    n_seams = 0;
+    for (const auto &face : triangulation.active_face_iterators())
+      if (face->at_boundary())
+        {
+          std::array<long, dim> place;
+          for (unsigned int d = 0; d < dim; ++d)
+            place[d] = std::lround(face->center()[d] / (tolerance * size));
+          if (!places.insert(place).second && n_seams++ == 0)
+            where = coordinates_in_message(face->center());
+        }
+    if (n_seams == 0)
+      return "";
+    return path + ": " + std::to_string(n_seams) +
+           (n_seams == 1 ? " face" : " faces") + " of its boundary, first at " +
+           where +
+           ", lie on other ones: the mesh is open there, as along a crack, and "
+           "the two sides can part and pass through each other. Merge the "
+           "nodes if the body is whole.";
+  }
+
+
+
+  template std::string
+  coordinates_in_message(const Point<2> &);
+  template std::string
+  coordinates_in_message(const Point<3> &);
   template void
   check_cell_types(const Triangulation<2> &, const std::string &);
   template void
@@ -114,4 +154,8 @@ namespace stickslip
   check_cell_shapes(const Triangulation<2> &, const std::string &);
   template void
   check_cell_shapes(const Triangulation<3> &, const std::string &);
+  template std::string
+  warning_about_seams(const Triangulation<2> &, const std::string &);
+  template std::string
+  warning_about_seams(const Triangulation<3> &, const std::string &);
 } // namespace stickslip

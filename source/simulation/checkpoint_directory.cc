@@ -118,7 +118,8 @@ namespace stickslip
     const std::string slot = latest_slot(directory);
     if (!slot.empty())
       return directory + "/" + slot;
-    if (std::filesystem::exists(path_of_description(directory)))
+    std::error_code no_matter; // a name that is too long is no checkpoint
+    if (std::filesystem::exists(path_of_description(directory), no_matter))
       return directory;
     error = content_of_latest(directory).empty()
               ? "--restart: there is no checkpoint in '" + directory +

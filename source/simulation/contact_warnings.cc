@@ -5,6 +5,7 @@ namespace stickslip
   ContactWarnings::ContactWarnings(
     const NamedList<ContactPairParameters> &pairs)
     : is_paired(pairs.size(), true)
+    , was_paired(pairs.size(), false)
   {
     for (const auto &[name, pair] : pairs)
       {
@@ -26,17 +27,36 @@ namespace stickslip
   ContactWarnings::of_step(
     const std::vector<ContactResultants<dim>> &resultants)
   {
+    ++n_steps;
     std::vector<std::string> texts;
     for (unsigned int p = 0; p < resultants.size(); ++p)
       {
-        const bool was_paired = is_paired[p];
-        is_paired[p] = resultants[p].n_unpaired < resultants[p].n_points;
-        if (was_paired && !is_paired[p])
+        const bool was_paired_before = is_paired[p];
+        is_paired[p]  = resultants[p].n_unpaired < resultants[p].n_points;
+        was_paired[p] = was_paired[p] || is_paired[p];
+        if (was_paired_before && !is_paired[p])
           texts.push_back("no point of contact pair '" + names[p] +
                           "' has a master face opposite and near it: the slave "
                           "is far away, has slid off the master or has fallen "
                           "through it.");
       }
+    return texts;
+  }
+
+
+
+  std::vector<std::string>
+  ContactWarnings::at_end() const
+  {
+    std::vector<std::string> texts;
+    for (unsigned int p = 0; n_steps > 0 && p < names.size(); ++p)
+      if (!was_paired[p])
+        texts.push_back("contact pair '" + names[p] +
+                        "' has not acted: in none of the steps of this run " +
+                        "had any of its points a master face opposite and "
+                        "near it. Look at 'Slave boundary', 'Master boundary' "
+                        "and 'Search distance' of 'Contact/" +
+                        names[p] + "'.");
     return texts;
   }
 

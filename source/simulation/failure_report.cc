@@ -60,7 +60,8 @@ namespace stickslip
                                                statuses.cycle(),
                                                points,
                                                parameters.contact_pairs,
-                                               problem.free_motions()},
+                                               problem.free_motions(),
+                                               problem.weakly_held_motions()},
                                               communicator);
     return report;
   }

@@ -102,6 +102,8 @@ namespace stickslip
       continue_tables();
     prepare_run_files(parameters, start, communicator);
     log.open(start.goes_on);
+    for (const std::string &text : mesh.warnings)
+      warn(text);
     for (const std::string &text : warnings.of_parameters())
       warn(text);
     if (start.checkpoint.empty())
@@ -361,6 +363,11 @@ namespace stickslip
     FinalResults results = final_results(parameters, problem, point_values);
     work.add_to(results, parameters.load_stepping.stabilization_factor > 0.);
     std::ostringstream text;
+    for (const std::string &warning : warnings.at_end())
+      {
+        log.note("warning: " + warning);
+        text << "Warning: " << warning << '\n';
+      }
     results.print(text);
     const unsigned int n_failed =
       evaluate_checks(parameters.checks, results.values(), text);

@@ -95,6 +95,29 @@ namespace stickslip
         }
       return {};
     }
+
+
+
+    /// A body whose springs are lost in the roundoff.
+    template <int dim>
+    std::optional<FailureExplanation>
+    weakly_held_body(const FailedStep<dim> &step)
+    {
+      if (step.weakly_held.empty())
+        return {};
+      FailureExplanation explanation;
+      explanation.name = "weakly held body";
+      explanation.why =
+        "the matrix is singular up to roundoff: apart from contact only a "
+        "spring holds this motion, and it is too soft beside the bodies to be "
+        "seen.";
+      explanation.where = step.weakly_held.front().text() + ".";
+      explanation.advice =
+        "a stiffer spring ('Stiffness', a force per area and length: 1e-6 of "
+        "Young's modulus over the size of the body is still weak), or "
+        "prescribe the displacement.";
+      return explanation;
+    }
   } // namespace
 
 
@@ -105,6 +128,8 @@ namespace stickslip
                           const MPI_Comm         communicator)
   {
     if (const auto explanation = free_body(step, communicator))
+      return *explanation;
+    if (const auto explanation = weakly_held_body(step))
       return *explanation;
     const auto group = find_group<dim>(
       step,

@@ -1,12 +1,17 @@
 #include <stickslip/solid/rigid_body_check.h>
 
+#include <stickslip/base/nearest_name.h>
 #include <stickslip/base/user_error.h>
 
 #include <stickslip/solid/rigid_body_modes.h>
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+#include <map>
+#include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stickslip
@@ -39,11 +44,42 @@ namespace stickslip
 
 
 
-    /// A spring holds where its faces have their vertices.
+    template <int dim>
+    using Box = std::pair<Point<dim>, Point<dim>>;
+
+
+
+    /// The boxes around all bodies of each group, from those of the bodies.
+    template <int dim>
+    std::vector<Box<dim>>
+    boxes_of_groups(const std::vector<Box<dim>>     &of_bodies,
+                    const std::vector<unsigned int> &group_of_body)
+    {
+      std::map<unsigned int, Box<dim>> boxes;
+      for (unsigned int b = 0; b < of_bodies.size(); ++b)
+        {
+          Box<dim> &box =
+            boxes.emplace(group_of_body[b], of_bodies[b]).first->second;
+          for (unsigned int d = 0; d < dim; ++d)
+            {
+              box.first[d]  = std::min(box.first[d], of_bodies[b].first[d]);
+              box.second[d] = std::max(box.second[d], of_bodies[b].second[d]);
+            }
+        }
+      std::vector<Box<dim>> result;
+      for (const auto &[group, box] : boxes)
+        result.push_back(box);
+      return result;
+    }
+
+
+
+    /// A spring that is stiff enough holds where its faces have their vertices.
     template <int dim>
     void
     hold_by_spring(const Load<dim>          &spring,
                    const Triangulation<dim> &triangulation,
+                   const double              softest_spring,
                    RigidBodyModes<dim>      &modes)
     {
       for (const auto &cell : triangulation.active_cell_iterators())
@@ -54,10 +90,62 @@ namespace stickslip
               for (const unsigned int v : face->vertex_indices())
                 for (unsigned int d = 0; d < dim; ++d)
                   // Rows of d d^T, or of the identity: all along what is held.
-                  if (spring.stiffness[d].norm() > 0.)
+                  if (spring.stiffness[d].norm() > softest_spring)
                     modes.hold(face->vertex(v),
                                spring.stiffness[d] /
                                  spring.stiffness[d].norm());
+    }
+
+
+
+    /// What the conditions hold of the motions of each group.
+    template <int dim>
+    std::vector<RigidBodyModes<dim>>
+    held_modes(const BoundaryConditions<dim>   &conditions,
+               const Bodies                    &bodies,
+               const Mapping<dim>              &mapping,
+               const DoFHandler<dim>           &dof_handler,
+               const std::vector<unsigned int> &group_of_body,
+               const double                     softest_spring)
+    {
+      const Triangulation<dim> &triangulation = dof_handler.get_triangulation();
+      const MPI_Comm            communicator  = dof_handler.get_communicator();
+
+      std::vector<RigidBodyModes<dim>> modes;
+      for (const auto &box :
+           boxes_of_groups(body_boxes(triangulation, bodies), group_of_body))
+        modes.emplace_back(box.first, box.second);
+
+      std::string error;
+      for (const auto &node :
+           find_held_nodes(mapping,
+                           dof_handler,
+                           bodies,
+                           conditions.prescribed_displacements(),
+                           0.,
+                           error))
+        for (const auto &row : node.second.rows)
+          modes[group_of_body[node.second.body]].hold(node.second.position,
+                                                      row.direction);
+      throw_collectively(error, communicator);
+
+      for (const Load<dim> &load : conditions.loads())
+        if (load.type == BoundaryConditionType::spring)
+          hold_by_spring(load,
+                         triangulation,
+                         softest_spring,
+                         modes[group_of_body[load.body]]);
+
+      for (const auto &pair : conditions.periodicities())
+        {
+          const Tensor<1, dim> offset =
+            mean_face_position(triangulation, pair.second) -
+            mean_face_position(triangulation, pair.first);
+          modes[group_of_body[pair.body]].tie(offset);
+        }
+      for (RigidBodyModes<dim> &of_group : modes)
+        of_group.sum_over_ranks(communicator);
+      return modes;
     }
   } // namespace
 
@@ -68,60 +156,68 @@ namespace stickslip
   free_rigid_motions(const BoundaryConditions<dim> &conditions,
                      const Bodies                  &bodies,
                      const Mapping<dim>            &mapping,
-                     const DoFHandler<dim>         &dof_handler)
+                     const DoFHandler<dim>         &dof_handler,
+                     const double                   softest_spring)
   {
-    const Triangulation<dim> &triangulation = dof_handler.get_triangulation();
-    const MPI_Comm            communicator  = dof_handler.get_communicator();
-
-    std::vector<RigidBodyModes<dim>> modes;
-    for (const auto &box : body_boxes(triangulation, bodies))
-      modes.emplace_back(box.first, box.second);
-
-    std::string error;
-    for (const auto &node :
-         find_held_nodes(mapping,
-                         dof_handler,
-                         bodies,
-                         conditions.prescribed_displacements(),
-                         0.,
-                         error))
-      for (const auto &row : node.second.rows)
-        modes[node.second.body].hold(node.second.position, row.direction);
-    throw_collectively(error, communicator);
-
-    for (const Load<dim> &load : conditions.loads())
-      if (load.type == BoundaryConditionType::spring)
-        hold_by_spring(load, triangulation, modes[load.body]);
-
-    for (const auto &pair : conditions.periodicities())
-      {
-        const Tensor<1, dim> offset =
-          mean_face_position(triangulation, pair.second) -
-          mean_face_position(triangulation, pair.first);
-        modes[pair.body].tie(offset);
-      }
-
+    std::vector<unsigned int> alone(bodies.n_bodies());
+    std::iota(alone.begin(), alone.end(), 0U);
+    const auto modes = held_modes(
+      conditions, bodies, mapping, dof_handler, alone, softest_spring);
     std::vector<FreeMotion> motions;
-    for (unsigned int b = 0; b < bodies.bodies.size(); ++b)
+    for (unsigned int b = 0; b < bodies.n_bodies(); ++b)
       if (!bodies.bodies[b].is_rigid)
-        {
-          modes[b].sum_over_ranks(communicator);
-          for (const std::string &motion : modes[b].unheld())
-            motions.push_back({bodies.bodies[b].name, motion});
-        }
+        for (const std::string &motion : modes[b].unheld())
+          motions.push_back({bodies.bodies[b].name, motion});
     return motions;
   }
 
 
 
-  template std::vector<FreeMotion>
-  free_rigid_motions(const BoundaryConditions<2> &,
-                     const Bodies &,
-                     const Mapping<2> &,
-                     const DoFHandler<2> &);
-  template std::vector<FreeMotion>
-  free_rigid_motions(const BoundaryConditions<3> &,
-                     const Bodies &,
-                     const Mapping<3> &,
-                     const DoFHandler<3> &);
+  template <int dim>
+  std::vector<std::string>
+  free_motions_of_groups(const BoundaryConditions<dim>   &conditions,
+                         const Bodies                    &bodies,
+                         const Mapping<dim>              &mapping,
+                         const DoFHandler<dim>           &dof_handler,
+                         const std::vector<unsigned int> &group_of_body)
+  {
+    const auto modes =
+      held_modes(conditions, bodies, mapping, dof_handler, group_of_body, 0.);
+    std::vector<std::string> texts;
+    for (unsigned int g = 0; g < modes.size(); ++g)
+      {
+        std::vector<std::string> names;
+        bool                     is_held = false;
+        for (unsigned int b = 0; b < bodies.n_bodies(); ++b)
+          if (group_of_body[b] == g)
+            {
+              names.push_back(bodies.bodies[b].name);
+              is_held = is_held || bodies.bodies[b].is_rigid;
+            }
+        if (!is_held)
+          for (const std::string &motion : modes[g].unheld())
+            texts.push_back((names.size() > 1 ? "bodies " : "body ") +
+                            quoted_list(names) + ": " + motion);
+      }
+    return texts;
+  }
+
+
+
+#define INSTANTIATE(dim)                                    \
+  template std::vector<FreeMotion> free_rigid_motions(      \
+    const BoundaryConditions<dim> &,                        \
+    const Bodies &,                                         \
+    const Mapping<dim> &,                                   \
+    const DoFHandler<dim> &,                                \
+    const double);                                          \
+  template std::vector<std::string> free_motions_of_groups( \
+    const BoundaryConditions<dim> &,                        \
+    const Bodies &,                                         \
+    const Mapping<dim> &,                                   \
+    const DoFHandler<dim> &,                                \
+    const std::vector<unsigned int> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace stickslip

@@ -23,6 +23,7 @@ namespace
     std::vector<PointDiagnosis<2>>   points;
     NamedList<ContactPairParameters> pairs;
     std::vector<FreeMotion>          free_motions;
+    std::vector<FreeMotion>          weakly_held;
 
     Traces()
       : pairs(2)
@@ -99,7 +100,8 @@ namespace
                                                              traces.cycle,
                                                              traces.points,
                                                              traces.pairs,
-                                                             traces.free_motions},
+                                                             traces.free_motions,
+                                                             traces.weakly_held},
                                                 MPI_COMM_WORLD);
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       std::cout << title << " -> " << explanation.name << '\n'
@@ -141,6 +143,8 @@ namespace
     explain("free body of another pair", singular);
     singular.free_motions = {{"floor", "translation along y"}};
     explain("free master that sticks", singular);
+    singular.weakly_held = {{"brick", "rotation about z"}};
+    explain("weakly held body", singular);
   }
 
 

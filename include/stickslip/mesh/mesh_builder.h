@@ -9,6 +9,7 @@
 #include <deal.II/distributed/tria_base.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace stickslip
@@ -20,6 +21,7 @@ namespace stickslip
     std::unique_ptr<parallel::DistributedTriangulationBase<dim>> triangulation;
     Bodies                                                       bodies;
     std::vector<PeriodicBoundary> periodic_boundaries;
+    std::vector<std::string>      warnings; ///< for the user
   };
 
   /**

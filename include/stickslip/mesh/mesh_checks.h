@@ -10,6 +10,11 @@ namespace stickslip
 {
   using namespace dealii;
 
+  /// "(1, 2.5)"
+  template <int dim>
+  std::string
+  coordinates_in_message(const Point<dim> &point);
+
   /// Throws UserError if @p triangulation has no cells or cells that are no
   /// quadrilaterals or hexahedra. @p path names the culprit.
   template <int dim>
@@ -23,6 +28,14 @@ namespace stickslip
   void
   check_cell_shapes(const Triangulation<dim> &triangulation,
                     const std::string        &path);
+
+  /// Says where faces of the boundary lie on each other, as along a crack with
+  /// two sets of nodes, which a mesh generator also makes of two parts that it
+  /// was not told to join; "" if there are none.
+  template <int dim>
+  std::string
+  warning_about_seams(const Triangulation<dim> &triangulation,
+                      const std::string        &path);
 } // namespace stickslip
 
 #endif

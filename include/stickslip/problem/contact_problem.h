@@ -11,6 +11,7 @@
 
 #include <stickslip/mesh/mesh_builder.h>
 
+#include <stickslip/problem/body_support.h>
 #include <stickslip/problem/dof_layout.h>
 #include <stickslip/problem/problem_constraints.h>
 #include <stickslip/problem/problem_sparsity.h>
@@ -172,7 +173,7 @@ namespace stickslip
     void
     restore();
 
-    /// Rigid motions that no boundary condition prevents. Collective.
+    /// See body_support.h. Collective.
     std::vector<FreeMotion>
     free_motions() const
     {
@@ -182,10 +183,23 @@ namespace stickslip
                                 dofs.dof_handler);
     }
 
-    /// Throws UserError for bodies that nothing can hold, and tells contact
-    /// pairs that they have to.
+    std::vector<FreeMotion>
+    weakly_held_motions() const
+    {
+      return stickslip::weakly_held_motions(boundary_conditions,
+                                            mesh.bodies,
+                                            dofs,
+                                            softest_spring);
+    }
+
     void
-    check_bodies_are_held();
+    check_bodies_are_held()
+    {
+      stickslip::check_bodies_are_held(boundary_conditions,
+                                       mesh.bodies,
+                                       dofs,
+                                       contact_assembler->contact_pairs());
+    }
 
     const DofLayout<dim> &
     layout() const
@@ -246,7 +260,8 @@ namespace stickslip
     LA::Vector      u, u_old, lambda; ///< ghosted
     LA::Vector      forces;           ///< internal plus contact
     LA::Vector      unbalanced;       ///< forces minus loads
-    double          force_floor = 0.;
+    double          force_floor    = 0.;
+    double          softest_spring = 0.; ///< whose effect is above roundoff
 
     // what the last configure() was for
     bool            is_configured = false;

@@ -32,10 +32,16 @@ namespace stickslip
     std::vector<std::string>
     of_step(const std::vector<ContactResultants<dim>> &resultants);
 
+    /// Texts about all steps that of_step() has seen.
+    std::vector<std::string>
+    at_end() const;
+
   private:
     std::vector<std::string> names;
     std::vector<std::string> about_parameters;
-    std::vector<bool>        is_paired; ///< any point, at the last step
+    std::vector<bool>        is_paired;  ///< any point, at the last step
+    std::vector<bool>        was_paired; ///< any point, at any step
+    unsigned int             n_steps = 0;
   };
 } // namespace stickslip
 

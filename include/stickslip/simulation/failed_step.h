@@ -29,6 +29,7 @@ namespace stickslip
     const std::vector<PointDiagnosis<dim>> &points; ///< of this rank
     const NamedList<ContactPairParameters> &pairs;
     std::vector<FreeMotion> free_motions; ///< that contact alone can prevent
+    std::vector<FreeMotion> weakly_held;  ///< by springs below roundoff
   };
 
 
