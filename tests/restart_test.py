@@ -124,7 +124,8 @@ def test_directory(runs):
     directory = runs.directory / "directory"
 
     def steps_of(pattern):
-        return sorted({int(re.search(r"-(\d{4})\.", path.name)[1]) for path in directory.glob(pattern)})
+        names = (re.search(r"-(\d{4})\.", path.name) for path in directory.glob(pattern))
+        return sorted({int(name[1]) for name in names if name})
 
     def index():
         return [int(step) for step in re.findall(r'file="solution-(\d+).pvtu"', (directory / "solution.pvd").read_text())]

@@ -194,8 +194,10 @@ namespace stickslip
   {
     if (name.empty())
       fail("'subsection' needs a name.");
-    if (name.find('/') != std::string::npos)
-      fail("the name of the subsection '" + name + "' must not contain '/'.");
+    for (const char c : {'/', '.'})
+      if (name.find(c) != std::string::npos)
+        fail("the name of the subsection '" + name + "' must not contain '" +
+             c + "'.");
 
     ParameterStatement section = statement_here();
     section.path.push_back(name);
