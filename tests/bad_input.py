@@ -15,6 +15,8 @@ import subprocess
 import sys
 import tempfile
 
+from program_runs import environment_of
+
 HERE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "application", "data")
 WRONG_INPUT, NO_CONVERGENCE, CHECK_FALLS_SHORT, STOPPED = 1, 2, 4, 5
 CRASH = ["backtrace", "segmentation", "signal", "aborted", "internal error", "terminate called", "an error occurred in line", "stacktrace"]
@@ -251,7 +253,8 @@ def run(program, mpiexec, n_ranks, name):
         command = [program, "case.prm"]
         if n_ranks > 1:
             command = [mpiexec, "-n", str(n_ranks)] + command
-        result = subprocess.run(command, cwd=directory, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300)
+        result = subprocess.run(command, cwd=directory, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=300,
+                                env=environment_of(n_ranks))
     return result.stdout, result.returncode
 
 
