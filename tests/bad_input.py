@@ -163,9 +163,9 @@ CASES = {
     "a mesh file of text": ("plate.prm", body("plate", "Generator =", "Arguments =", "Mesh file = case.prm"), WRONG_INPUT, ["case.prm"]),
     "a boundary id that no face gets": ("plate.prm", body("plate", "Boundary ids = 7: x > 1000"), WRONG_INPUT, ["Bodies/plate/Boundary ids", "marks no face"]),
     # ------------------------------------------------------------- boundary conditions
-    "negative boundary": ("plate.prm", condition("plate", "-2", "Value = 0; 0"), WRONG_INPUT, ["/Boundary'", "-2", "an integer >= 0"]),
-    "negative slave boundary": ("plate.prm", pair("Slave boundary = -2"), WRONG_INPUT, ["Contact/base/Slave boundary", "-2", "an integer >= 0"]),
-    "boundary in words": ("plate.prm", condition("plate", "left", "Value = 0; 0"), WRONG_INPUT, ["/Boundary'", "left"]),
+    "negative boundary": ("plate.prm", condition("plate", "-2", "Value = 0; 0"), WRONG_INPUT, ["/Boundary", "'-2'", "0, 1, 2, 3"]),
+    "negative slave boundary": ("plate.prm", pair("Slave boundary = -2"), WRONG_INPUT, ["Contact/base/Slave boundary", "'-2'", "0, 1, 2, 3"]),
+    "boundary in words": ("plate.prm", condition("plate", "left", "Value = 0; 0"), WRONG_INPUT, ["/Boundary", "'left'", "0, 1, 2, 3"]),
     "boundary beyond all integers": ("plate.prm", condition("plate", "99999999999", "Value = 0; 0"), WRONG_INPUT, ["/Boundary"]),
     "a component too many": ("plate.prm", condition("plate", 1, "Value = 0; 0; 0"), WRONG_INPUT, ["/Value", "0; 0; 0"]),
     "a pressure of two components": ("plate.prm", condition("plate", 3, "Type = pressure", "Value = 1; 1"), WRONG_INPUT, ["/Value"]),
