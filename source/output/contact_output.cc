@@ -167,7 +167,7 @@ namespace stickslip
     {
       std::array<double, 4> area{{0., 0., 0., 0.}};
       double                total = 0.;
-      for (const ContactPointResult<dim> &point : face.points)
+      for (const ContactPointResult<dim> &point : face.all_points())
         {
           area[static_cast<unsigned int>(point.state)] +=
             point.reference_weight;
@@ -194,10 +194,11 @@ namespace stickslip
     , normal(face.reference_positions.size())
     , state(prevailing_state(face))
   {
+    const auto points = face.all_points();
     for (unsigned int i = 0; i < gap.size(); ++i)
       {
         double weight_of_all = 0., weight_of_paired = 0.;
-        for (const ContactPointResult<dim> &point : face.points)
+        for (const ContactPointResult<dim> &point : points)
           {
             AssertDimension(point.shape_values.size(), gap.size());
             const double weight =

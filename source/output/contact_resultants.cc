@@ -72,7 +72,7 @@ namespace stickslip
       const Tensor<1, dim> normal_force   = w * point.pressure * point.normal;
       const Tensor<1, dim> friction_force = w * point.tangential_traction;
       const Tensor<1, 3>   moment =
-        moment_of_force(point.position, normal_force + friction_force);
+        moment_of_force(point.centre_of_force, normal_force + friction_force);
       const bool is_closed =
         point.state == ContactState::stick || point.state == ContactState::slip;
 
@@ -80,7 +80,7 @@ namespace stickslip
         {
           sums.normal_force[d] += normal_force[d];
           sums.friction_force[d] += friction_force[d];
-          sums.first_moment[d] += w * point.pressure * point.position[d];
+          sums.first_moment[d] += w * point.pressure * point.centre_of_force[d];
         }
       for (unsigned int d = 0; d < 3; ++d)
         sums.moment[d] += moment[d];

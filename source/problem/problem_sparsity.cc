@@ -8,6 +8,50 @@
 
 namespace stickslip
 {
+  namespace
+  {
+    /// A mortar node, or a slave face, and a master face that it couples with.
+    using PlaceAndMaster = std::pair<unsigned int, FaceId>;
+
+
+
+    template <int dim>
+    std::vector<PlaceAndMaster>
+    couplings_of(const ContactPair<dim> &pair, const ContactPoint<dim> &point)
+    {
+      if (!pair.mortar)
+        return {
+          {point.geometry.slave_face, pair.patch->face(point.pairing.face).id}};
+      std::vector<PlaceAndMaster> couplings;
+      const unsigned int          i = point.geometry.mortar_node;
+      for (const unsigned int m : pair.mortar->masters_of(i))
+        couplings.emplace_back(i, pair.patch->face(m).id);
+      return couplings;
+    }
+
+
+
+    /// Displacements and multipliers of a mortar node (point i is node i) or a
+    /// slave face.
+    template <int dim>
+    std::vector<types::global_dof_index>
+    dofs_at(const ContactPair<dim>       &pair,
+            const unsigned int            place,
+            const types::global_dof_index n_displacements)
+    {
+      const SlaveFace<dim> &slave =
+        pair.slave_faces[pair.mortar ? pair.points[place].geometry.slave_face
+                                     : place];
+      std::vector<types::global_dof_index> dofs =
+        pair.mortar ? pair.mortar->node(place).dofs : slave.face.dofs;
+      for (const auto dof : slave.multiplier_dofs)
+        dofs.push_back(n_displacements + dof);
+      return dofs;
+    }
+  } // namespace
+
+
+
   template <int dim>
   ProblemSparsity<dim>::ProblemSparsity(const DofLayout<dim>        &dofs,
                                         const ContactAssembler<dim> &contact,
@@ -38,11 +82,8 @@ namespace stickslip
     for (unsigned int p = 0; p < pairs.size(); ++p)
       for (const auto &point : pairs[p]->points)
         if (point.pairing.paired)
-          n_new += known_couplings
-                     .emplace(p,
-                              point.geometry.slave_face,
-                              pairs[p]->patch->face(point.pairing.face).id)
-                     .second;
+          for (const auto &[place, master] : couplings_of(*pairs[p], point))
+            n_new += known_couplings.emplace(p, place, master).second;
     return Utilities::MPI::sum(n_new, communicator) == 0;
   }
 
@@ -75,29 +116,36 @@ namespace stickslip
           cell->get_dof_indices(cell_dofs);
           constraints.add_entries_local_to_global(cell_dofs, pattern, false);
         }
-    const types::global_dof_index        n_u   = dofs.owned.size();
-    const auto                          &pairs = contact.contact_pairs();
+    const types::global_dof_index n_u   = dofs.owned.size();
+    const auto                   &pairs = contact.contact_pairs();
+    // Each master face with the nodes of its slave face; all master faces of a
+    // mortar node together.
     std::vector<types::global_dof_index> coupled;
-    for (const auto &[p, f, id] : known_couplings)
+    for (auto entry = known_couplings.begin(); entry != known_couplings.end();)
       {
-        const auto &slave = pairs[p]->slave_faces[f];
-        coupled           = slave.face.dofs;
-        const auto &master =
-          pairs[p]->patch->face(pairs[p]->patch->index_of(id)).dofs;
-        coupled.insert(coupled.end(), master.begin(), master.end());
-        for (const auto dof : slave.multiplier_dofs)
-          coupled.push_back(n_u + dof);
+        const auto [p, place, first_id] = *entry;
+        const ContactPair<dim> &pair    = *pairs[p];
+        coupled                         = dofs_at(pair, place, n_u);
+        do
+          {
+            const auto &master =
+              pair.patch->face(pair.patch->index_of(std::get<2>(*entry))).dofs;
+            coupled.insert(coupled.end(), master.begin(), master.end());
+            ++entry;
+        } while (pair.mortar && entry != known_couplings.end() &&
+                 std::get<0>(*entry) == p && std::get<1>(*entry) == place);
         constraints.add_entries_local_to_global(coupled, pattern, false);
       }
     // open and unpaired points have rows of their own
     for (const auto &pair : pairs)
-      for (const auto &slave : pair->slave_faces)
-        {
-          coupled = slave.face.dofs;
-          for (const auto dof : slave.multiplier_dofs)
-            coupled.push_back(n_u + dof);
-          constraints.add_entries_local_to_global(coupled, pattern, false);
-        }
+      {
+        const unsigned int n_places =
+          pair->mortar ? pair->points.size() : pair->slave_faces.size();
+        for (unsigned int place = 0; place < n_places; ++place)
+          constraints.add_entries_local_to_global(dofs_at(*pair, place, n_u),
+                                                  pattern,
+                                                  false);
+      }
     for (const auto i : multipliers.locally_owned())
       pattern.block(1, 1).add(i, i);
     pattern.compress();

@@ -37,7 +37,7 @@ namespace stickslip
     const ContactAssembler<dim> &contact;
     const MPI_Comm               communicator;
 
-    /// Pair, slave face, master face.
+    /// Pair, slave face or mortar node, master face.
     std::set<std::tuple<unsigned int, unsigned int, FaceId>> known_couplings;
     bool                                                     is_outdated = true;
 

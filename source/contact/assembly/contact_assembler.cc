@@ -72,9 +72,8 @@ namespace stickslip
     for (const auto &pair : pairs)
       {
         pair->update_configuration(u, u_old);
-        for (auto &point : pair->points)
-          point.pairing = this->live.geometry ? pair->find_pairing(point)
-                                              : pair->last_pairing(point);
+        pair->use_pairings(this->live.geometry ? pair->find_pairings()
+                                               : pair->last_pairings());
       }
   }
 
@@ -83,12 +82,9 @@ namespace stickslip
   void
   ContactAssembler<dim>::accept_iterate()
   {
-    if (!this->live.geometry)
-      return;
-    for_each_point(*this, [](ContactPair<dim> &pair, ContactPoint<dim> &point) {
-      if (point.hysteresis.accept_iterate(point.pairing))
-        point.pairing = pair.find_pairing(point);
-    });
+    if (this->live.geometry)
+      for (const auto &pair : pairs)
+        pair->accept_iterate(true);
   }
 
 
@@ -97,9 +93,10 @@ namespace stickslip
   void
   ContactAssembler<dim>::accept_step()
   {
+    for (const auto &pair : pairs)
+      pair->accept_step();
     for_each_point(*this,
                    [this](ContactPair<dim> &pair, ContactPoint<dim> &point) {
-                     point.hysteresis.accept_step(point.pairing);
                      const auto &state = this->evaluate(pair, point);
                      if (state.status.closed)
                        point.accumulated_slip += state.kinematics.d_t;
@@ -112,10 +109,8 @@ namespace stickslip
   void
   ContactAssembler<dim>::restore()
   {
-    for_each_point(*this, [](ContactPair<dim> &pair, ContactPoint<dim> &point) {
-      point.hysteresis.restore();
-      point.pairing = pair.last_pairing(point);
-    });
+    for (const auto &pair : pairs)
+      pair->restore();
   }
 
 
@@ -126,6 +121,19 @@ namespace stickslip
                                     const ContactPoint<dim> &point) const
   {
     const SlaveFace<dim> &slave = pair.slave_faces[point.geometry.slave_face];
+    if (pair.mortar)
+      {
+        const unsigned int i      = point.geometry.mortar_node;
+        auto               dofs   = pair.mortar->node(i).dofs;
+        const auto        &master = pair.mortar->average(i).master_dofs;
+        dofs.insert(dofs.end(), master.begin(), master.end());
+        const unsigned int n = pair.n_multiplier_components();
+        const auto         first =
+          slave.multiplier_dofs.begin() + point.geometry.quadrature_index * n;
+        for (auto dof = first; dof != first + n; ++dof)
+          dofs.push_back(n_displacements + *dof);
+        return dofs;
+      }
     std::vector<types::global_dof_index> dofs = slave.face.dofs;
     if (point.pairing.paired)
       {
@@ -135,6 +143,88 @@ namespace stickslip
     for (const auto dof : slave.multiplier_dofs)
       dofs.push_back(n_displacements + dof);
     return dofs;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  ContactAssembler<dim>::relative_shape(
+    const ContactPair<dim>       &pair,
+    const ContactPoint<dim>      &point,
+    const ContactEvaluation<dim> &state) const
+  {
+    std::vector<double> shape;
+    if (pair.mortar)
+      {
+        const auto &average = pair.mortar->average(point.geometry.mortar_node);
+        for (const double D : average.D)
+          shape.push_back(D / average.area);
+        for (const double M : average.M)
+          shape.push_back(-M / average.area);
+        return shape;
+      }
+    shape = pair.table.displacement[point.geometry.quadrature_index].value;
+    for (const double N : state.master.shape.value)
+      shape.push_back(-N);
+    return shape;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactAssembler<dim>::evaluate_local_residual(
+    const ContactPair<dim>       &pair,
+    const ContactPoint<dim>      &point,
+    const ContactEvaluation<dim> &state,
+    Vector<double>               &local) const
+  {
+    if (pair.mortar)
+      local_residual(this->mortar_element_of(pair, point), state, local);
+    else
+      local_residual(this->element_of(pair, point), state, local);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactAssembler<dim>::evaluate_local_tangent(
+    const ContactPair<dim>       &pair,
+    const ContactPoint<dim>      &point,
+    const ContactEvaluation<dim> &state,
+    const bool                    linearize_geometry,
+    FullMatrix<double>           &local) const
+  {
+    if (pair.mortar)
+      {
+        MortarDerivative<dim> derivative;
+        if (linearize_geometry)
+          pair.mortar->differentiate(point.geometry.mortar_node,
+                                     *pair.patch,
+                                     derivative);
+        local_tangent(this->mortar_element_of(pair, point),
+                      state,
+                      linearize_geometry ? &derivative : nullptr,
+                      local);
+        keep_undetermined_Lambda(
+          point, state, {1.}, pair.n_multiplier_components(), local);
+      }
+    else
+      {
+        local_tangent(this->element_of(pair, point),
+                      state,
+                      linearize_geometry &&
+                        pair.parameters.has_smoothed_normals(),
+                      local);
+        keep_undetermined_Lambda(
+          point,
+          state,
+          pair.table.multiplier[point.geometry.quadrature_index],
+          pair.n_multiplier_components(),
+          local);
+      }
   }
 
 
@@ -153,7 +243,7 @@ namespace stickslip
           point.observed                      = observe(point, state);
           const auto dofs                     = point_dofs(*pair, point);
           local.reinit(dofs.size());
-          local_residual(this->element_of(*pair, point), state, local);
+          evaluate_local_residual(*pair, point, state, local);
           geometric.distribute_local_to_global(local, dofs, residual);
 
           const SlaveFace<dim> &slave =
@@ -194,15 +284,13 @@ namespace stickslip
           const auto dofs = point_dofs(*pair, point);
           local.reinit(dofs.size());
           local_matrix.reinit(dofs.size(), dofs.size());
-          const ContactElement<dim> element = this->element_of(*pair, point);
-          local_residual(element, state, local);
+          evaluate_local_residual(*pair, point, state, local);
           local *= -1.;
-          local_tangent(element,
-                        state,
-                        this->live.geometry && linearize_geometry &&
-                          pair->parameters.has_smoothed_normals(),
-                        local_matrix);
-          keep_undetermined_Lambda(element, state, local_matrix);
+          evaluate_local_tangent(*pair,
+                                 point,
+                                 state,
+                                 this->live.geometry && linearize_geometry,
+                                 local_matrix);
           constraints.distribute_local_to_global(
             local_matrix, local, dofs, matrix, rhs);
         }

@@ -11,14 +11,12 @@ namespace stickslip
 {
   template <int dim, typename Value>
   PointQuantity<dim, Value>::PointQuantity(const std::string &name,
-                                           bool Liveness::*const flag,
-                                           const bool may_fetch_patches,
+                                           bool Liveness::*const   flag,
                                            ContactAssembler<dim>  &contact,
                                            const ConfigureContact &configure)
     : contact(contact)
     , label(name)
     , flag(flag)
-    , may_fetch_patches(may_fetch_patches)
     , configure(configure)
   {}
 
@@ -28,7 +26,7 @@ namespace stickslip
   void
   PointQuantity<dim, Value>::evaluate(const LA::BlockVector &x)
   {
-    configure(x, may_fetch_patches);
+    configure(x, false);
     values.clear();
     for_each_point(contact, [this](const auto &pair, const auto &point) {
       values.push_back(value_at(pair, point));
@@ -64,12 +62,27 @@ namespace stickslip
   template <int dim>
   ContactGeometry<dim>::ContactGeometry(ContactAssembler<dim>  &contact,
                                         const ConfigureContact &configure)
-    : PointQuantity<dim, Pairing<dim>>("geometry",
-                                       &Liveness::geometry,
-                                       true,
-                                       contact,
-                                       configure)
+    : contact(contact)
+    , configure(configure)
   {}
+
+
+
+  template <int dim>
+  std::string
+  ContactGeometry<dim>::name() const
+  {
+    return "geometry";
+  }
+
+
+
+  template <int dim>
+  void
+  ContactGeometry<dim>::set_live(const bool live)
+  {
+    contact.live.geometry = live;
+  }
 
 
 
@@ -77,7 +90,10 @@ namespace stickslip
   void
   ContactGeometry<dim>::evaluate(const LA::BlockVector &x)
   {
-    PointQuantity<dim, Pairing<dim>>::evaluate(x);
+    configure(x, true);
+    pairings.clear();
+    for (const auto &pair : contact.contact_pairs())
+      pairings.push_back(pair->find_pairings());
     evaluated_at = x.block(0);
   }
 
@@ -101,7 +117,11 @@ namespace stickslip
   void
   ContactGeometry<dim>::accept()
   {
-    PointQuantity<dim, Pairing<dim>>::accept();
+    for (unsigned int p = 0; p < pairings.size(); ++p)
+      {
+        contact.contact_pairs()[p]->use_pairings(pairings[p]);
+        contact.contact_pairs()[p]->accept_iterate(false);
+      }
     accepted_at = evaluated_at;
   }
 
@@ -113,7 +133,6 @@ namespace stickslip
     const ConfigureContact &configure)
     : PointQuantity<dim, double>("threshold",
                                  &Liveness::threshold,
-                                 false,
                                  contact,
                                  configure)
   {}
@@ -141,11 +160,7 @@ namespace stickslip
   template <int dim>
   ContactStatusField<dim>::ContactStatusField(ContactAssembler<dim>  &contact,
                                               const ConfigureContact &configure)
-    : PointQuantity<dim, bool>("status",
-                               &Liveness::status,
-                               false,
-                               contact,
-                               configure)
+    : PointQuantity<dim, bool>("status", &Liveness::status, contact, configure)
   {}
 
 

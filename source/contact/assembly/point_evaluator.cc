@@ -73,6 +73,22 @@ namespace stickslip
 
 
   template <int dim>
+  MortarElement<dim>
+  PointEvaluator<dim>::mortar_element_of(const ContactPair<dim>  &pair,
+                                         const ContactPoint<dim> &point) const
+  {
+    const unsigned int i = point.geometry.mortar_node;
+    return {point,
+            pair.mortar->node(i),
+            pair.mortar->average(i),
+            pair.mortar->frame(i),
+            point.geometry.quadrature_index,
+            pair.n_multiplier_components()};
+  }
+
+
+
+  template <int dim>
   Multipliers<dim>
   PointEvaluator<dim>::multipliers_at(const ContactPair<dim>  &pair,
                                       const ContactPoint<dim> &point,
@@ -116,6 +132,15 @@ namespace stickslip
     if (!point.pairing.paired)
       {
         state.kinematics = ContactKinematics<dim>();
+        return;
+      }
+    if (pair.mortar)
+      {
+        evaluate_mortar_kinematics(mortar_element_of(pair, point),
+                                   pair.slave_position(point).direction,
+                                   live.geometry && linearize_geometry,
+                                   with_derivatives,
+                                   state.kinematics);
         return;
       }
     const unsigned int f = point.pairing.face;

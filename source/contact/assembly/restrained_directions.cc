@@ -37,38 +37,30 @@ namespace stickslip
 
     template <int dim>
     RelativeMotion<dim>
-    relative_motion(const ContactPair<dim>       &pair,
+    relative_motion(const ContactAssembler<dim>  &contact,
+                    const ContactPair<dim>       &pair,
                     const ContactPoint<dim>      &point,
                     const ContactEvaluation<dim> &state,
                     const Constraints            &constraints)
     {
       RelativeMotion<dim> motion;
-      const auto add = [&](const std::vector<types::global_dof_index> &dofs,
-                           const std::vector<double>                  &shape,
-                           const double                                sign) {
-        for (unsigned int j = 0; j < shape.size(); ++j)
-          for (unsigned int c = 0; c < dim; ++c)
-            {
-              const auto   dof   = dofs[j * dim + c];
-              const double value = sign * shape[j];
-              if (!constraints.is_constrained(dof))
-                motion.free[dof][c] += value;
-              else
-                {
-                  for (const auto &[other, weight] :
-                       *constraints.get_constraint_entries(dof))
-                    motion.free[other][c] += value * weight;
-                  motion.prescribed[c] +=
-                    value * constraints.get_inhomogeneity(dof);
-                }
-            }
-      };
-      add(pair.slave_faces[point.geometry.slave_face].face.dofs,
-          pair.table.displacement[point.geometry.quadrature_index].value,
-          1.);
-      add(pair.patch->face(point.pairing.face).dofs,
-          state.master.shape.value,
-          -1.);
+      const auto          dofs  = contact.point_dofs(pair, point);
+      const auto          shape = contact.relative_shape(pair, point, state);
+      for (unsigned int j = 0; j < shape.size(); ++j)
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            const auto dof = dofs[j * dim + c];
+            if (!constraints.is_constrained(dof))
+              motion.free[dof][c] += shape[j];
+            else
+              {
+                for (const auto &[other, weight] :
+                     *constraints.get_constraint_entries(dof))
+                  motion.free[other][c] += shape[j] * weight;
+                motion.prescribed[c] +=
+                  shape[j] * constraints.get_inhomogeneity(dof);
+              }
+          }
       return motion;
     }
 
@@ -97,7 +89,9 @@ namespace stickslip
                  const ContactPoint<dim> &point,
                  const Constraints       &constraints)
     {
-      const auto &dofs = pair.slave_faces[point.geometry.slave_face].face.dofs;
+      const auto &dofs =
+        pair.mortar ? pair.mortar->node(point.geometry.mortar_node).dofs
+                    : pair.slave_faces[point.geometry.slave_face].face.dofs;
       return std::none_of(dofs.begin(), dofs.end(), [&](const auto dof) {
         return constraints.is_constrained(dof);
       });
@@ -108,12 +102,14 @@ namespace stickslip
     /// Squares of the motion that free unknowns, or the step, give the point.
     template <int dim>
     SymmetricTensor<2, dim>
-    mobility(const ContactPair<dim>       &pair,
+    mobility(const ContactAssembler<dim>  &contact,
+             const ContactPair<dim>       &pair,
              const ContactPoint<dim>      &point,
              const ContactEvaluation<dim> &state,
              const Constraints            &constraints)
     {
-      const auto motion = relative_motion(pair, point, state, constraints);
+      const auto motion =
+        relative_motion(contact, pair, point, state, constraints);
       SymmetricTensor<2, dim> K;
       for (const auto &[dof, value] : motion.free)
         K += symmetrize(outer_product(value, value));
@@ -183,7 +179,8 @@ namespace stickslip
           const SymmetricTensor<2, dim> K =
             moves_freely(pair, point, constraints)
               ? unit_symmetric_tensor<dim>()
-              : mobility(pair,
+              : mobility(contact,
+                         pair,
                          point,
                          contact.evaluate(pair, point),
                          constraints);

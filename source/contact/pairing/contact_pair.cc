@@ -105,7 +105,7 @@ namespace stickslip
                                                tolerances,
                                                communicator);
 
-    excluded = excluded_slave_nodes(slave_faces,
+    excluded = excluded_slave_nodes(slaves,
                                     excluded_boundary,
                                     parameters.excluded_points,
                                     path_of(name) + "/Excluded points",
@@ -129,6 +129,15 @@ namespace stickslip
                                  slave_faces,
                                  slaves,
                                  excluded);
+    if (parameters.has_segments())
+      mortar = std::make_unique<MortarSurface<dim>>(displacement_shape,
+                                                    multiplier_shape,
+                                                    parameters.quadrature_order,
+                                                    parameters.weighting,
+                                                    slaves,
+                                                    slave_faces,
+                                                    excluded,
+                                                    points);
     positions.resize(slave_faces.size());
     old_positions.resize(slave_faces.size());
   }
@@ -188,8 +197,12 @@ namespace stickslip
         read_positions(faces[f], faces[f].n_nodes, u, all_positions[f]);
     };
     std::vector<SurfaceFace<dim>> slaves;
-    for (const auto &slave : slave_faces)
-      slaves.push_back(slave.face);
+    if (mortar)
+      for (const auto &slave : mortar->mortar_faces())
+        slaves.push_back(slave.face);
+    else
+      for (const auto &slave : slave_faces)
+        slaves.push_back(slave.face);
     std::vector<std::vector<Tensor<1, dim>>> slave_now, master_now;
     read_all(slaves, slave_now);
     read_all(patch->owned_faces(), master_now);
@@ -216,6 +229,8 @@ namespace stickslip
     for (auto &point : points)
       point.hysteresis.relocate(
         [this](Pairing<dim> &pairing) { patch->relocate(pairing); });
+    if (mortar)
+      mortar->relocate(*patch);
     positions_at_fetch        = slave_now;
     master_positions_at_fetch = master_now;
     return true;
@@ -238,6 +253,10 @@ namespace stickslip
                 << ".";
       }
     throw_collectively(error.str(), communicator);
+    if (mortar && parameters.gap_offset != "0")
+      mortar->update_gap_offsets([this, time](const Point<dim> &position) {
+        return gap_offset.value(position, time);
+      });
   }
 
 
@@ -254,6 +273,8 @@ namespace stickslip
         read_positions(face, face.n_nodes, u_old, old_positions[f]);
       }
     patch->update(u, u_old);
+    if (mortar)
+      mortar->update_configuration(u, u_old);
   }
 
 
@@ -287,6 +308,118 @@ namespace stickslip
     Pairing<dim> pairing = point.hysteresis.last();
     pairing.paired       = pairing.paired && patch->contains(pairing);
     return pairing;
+  }
+
+
+
+  template <int dim>
+  Pairing<dim>
+  ContactPair<dim>::mortar_pairing(const ContactPoint<dim> &point) const
+  {
+    const unsigned int        i       = point.geometry.mortar_node;
+    const MortarAverage<dim> &average = mortar->average(i);
+    Pairing<dim>              pairing;
+    pairing.paired = average.paired;
+    if (!pairing.paired)
+      return pairing;
+    pairing.face = average.main_master;
+    pairing.n    = mortar->frame(i).n;
+    pairing.tau  = mortar->frame(i).tau;
+    pairing.free.fill(true);
+    return pairing;
+  }
+
+
+
+  template <int dim>
+  FoundPairings<dim>
+  ContactPair<dim>::find_pairings() const
+  {
+    FoundPairings<dim> found;
+    if (mortar)
+      found.segments = mortar->find(*patch);
+    else
+      for (const auto &point : points)
+        found.points.push_back(find_pairing(point));
+    return found;
+  }
+
+
+
+  template <int dim>
+  FoundPairings<dim>
+  ContactPair<dim>::last_pairings() const
+  {
+    FoundPairings<dim> found;
+    if (mortar)
+      found.segments = mortar->last();
+    else
+      for (const auto &point : points)
+        found.points.push_back(last_pairing(point));
+    return found;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::use_pairings(const FoundPairings<dim> &pairings)
+  {
+    if (mortar)
+      mortar->use(pairings.segments, *patch);
+    for (unsigned int i = 0; i < points.size(); ++i)
+      points[i].pairing =
+        mortar ? mortar_pairing(points[i]) : pairings.points[i];
+  }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::accept_iterate(const bool find_again)
+  {
+    if (mortar)
+      mortar->accept_iterate();
+    else
+      for (auto &point : points)
+        if (point.hysteresis.accept_iterate(point.pairing) && find_again)
+          point.pairing = find_pairing(point);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::accept_step()
+  {
+    if (mortar)
+      mortar->accept_step();
+    for (auto &point : points)
+      point.hysteresis.accept_step(point.pairing);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::restore()
+  {
+    if (mortar)
+      mortar->restore();
+    for (auto &point : points)
+      point.hysteresis.restore();
+    use_pairings(last_pairings());
+  }
+
+
+
+  template <int dim>
+  double
+  ContactPair<dim>::area_of(const ContactPoint<dim> &point) const
+  {
+    return point.pairing.paired && mortar
+             ? mortar->average(point.geometry.mortar_node).area
+             : point.geometry.weight;
   }
 
 

@@ -204,6 +204,23 @@ namespace stickslip
 
 
   template <int dim>
+  std::vector<unsigned int>
+  MasterPatch<dim>::faces_near(
+    const std::vector<Tensor<1, dim>> &positions) const
+  {
+    const auto box = enlarged(box_of(positions, positions.size(), 0.),
+                              tolerances.search_distance);
+    std::vector<unsigned int> near;
+    for (const auto &hit : tree | boost::geometry::index::adaptors::queried(
+                                    boost::geometry::index::intersects(box)))
+      near.push_back(hit.second);
+    std::sort(near.begin(), near.end());
+    return near;
+  }
+
+
+
+  template <int dim>
   std::vector<std::pair<double, unsigned int>>
   MasterPatch<dim>::candidates(const Tensor<1, dim> &x_s,
                                const unsigned int    at_most) const

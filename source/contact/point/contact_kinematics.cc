@@ -5,12 +5,6 @@ namespace stickslip
   namespace
   {
     template <int dim>
-    using VectorRows =
-      std::array<typename GeneralizedCoordinates<dim>::Row, dim>;
-
-
-
-    template <int dim>
     void
     clear(VectorRows<dim> &rows)
     {
@@ -226,6 +220,49 @@ namespace stickslip
 
   template <int dim>
   void
+  evaluate_gap_and_slip(const RelativePosition<dim> &relative,
+                        const Tensor<1, dim>        &direction,
+                        const double                 gap_offset,
+                        const bool                   geometry_is_live,
+                        const bool                   differentiate,
+                        ContactKinematics<dim>      &kinematics)
+  {
+    using G                = GeneralizedCoordinates<dim>;
+    const Tensor<1, dim> n = kinematics.n;
+    const Tensor<1, dim> r = relative.r;
+    const Tensor<1, dim> w = relative.w;
+    kinematics.d_n         = n * r - gap_offset;
+    kinematics.motion      = w;
+    kinematics.d_t         = w - (w * n) * n;
+    if (!differentiate)
+      return;
+
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      clear<dim>(kinematics.D_tau[d]);
+    if (geometry_is_live)
+      basis_derivative<dim>(
+        n, kinematics.tau, direction, kinematics.D_n, kinematics.D_tau);
+
+    kinematics.D_d_n       = contract<dim>(n, relative.D_r);
+    const auto r_times_D_n = contract<dim>(r, kinematics.D_n);
+    for (unsigned int c = 0; c < G::n; ++c)
+      kinematics.D_d_n[c] += r_times_D_n[c];
+
+    clear<dim>(kinematics.D_d_t);
+    add_product<dim>(kinematics.D_d_t,
+                     Tensor<2, dim>(unit_symmetric_tensor<dim>()) -
+                       outer_product(n, n),
+                     relative.D_w);
+    add_outer<dim>(kinematics.D_d_t, -1. * n, contract<dim>(w, kinematics.D_n));
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int c = 0; c < G::n; ++c)
+        kinematics.D_d_t[i][c] -= (n * w) * kinematics.D_n[i][c];
+  }
+
+
+
+  template <int dim>
+  void
   evaluate_contact_kinematics(const Pairing<dim>       &frame,
                               const MasterPoint<dim>   &master,
                               const MasterPoint<dim>   &master_old,
@@ -235,68 +272,55 @@ namespace stickslip
                               const bool                differentiate,
                               ContactKinematics<dim>   &kinematics)
   {
-    using G                = GeneralizedCoordinates<dim>;
-    const Tensor<1, dim> r = slave.x - master.x;
-    const Tensor<1, dim> w = r - (slave.x_old - master_old.x);
-    const Tensor<1, dim> n = frame.n;
-    kinematics.n           = n;
-    kinematics.tau         = frame.tau;
-    kinematics.a           = master.a;
-    kinematics.d_n         = n * r - slave.gap_offset;
-    kinematics.motion      = w;
-    kinematics.d_t         = w - (w * n) * n;
-    if (!differentiate)
-      return;
+    using G        = GeneralizedCoordinates<dim>;
+    kinematics.n   = frame.n;
+    kinematics.tau = frame.tau;
+    kinematics.a   = master.a;
+    RelativePosition<dim> relative;
+    relative.r = slave.x - master.x;
+    relative.w = relative.r - (slave.x_old - master_old.x);
 
-    clear<dim>(kinematics.D_n);
-    for (unsigned int d = 0; d < dim - 1; ++d)
+    if (differentiate)
       {
-        kinematics.D_xi[d].fill(0.);
-        clear<dim>(kinematics.D_tau[d]);
-      }
-    if (geometry_is_live)
-      {
-        kinematics.D_n =
-          normal_derivative_at_fixed_xi(master, smoothed_normals);
-        if (frame.is_interior())
-          interior_xi_derivative<dim>(master,
-                                      n * r,
-                                      kinematics.D_n,
-                                      kinematics.D_xi);
-        else
-          edge_xi_derivative<dim>(master, frame.free, r, kinematics.D_xi);
+        clear<dim>(kinematics.D_n);
         for (unsigned int d = 0; d < dim - 1; ++d)
-          add_outer<dim>(kinematics.D_n, master.n_a[d], kinematics.D_xi[d]);
-        basis_derivative<dim>(
-          n, frame.tau, slave.direction, kinematics.D_n, kinematics.D_tau);
+          kinematics.D_xi[d].fill(0.);
+        if (geometry_is_live)
+          {
+            kinematics.D_n =
+              normal_derivative_at_fixed_xi(master, smoothed_normals);
+            if (frame.is_interior())
+              interior_xi_derivative<dim>(master,
+                                          frame.n * relative.r,
+                                          kinematics.D_n,
+                                          kinematics.D_xi);
+            else
+              edge_xi_derivative<dim>(master,
+                                      frame.free,
+                                      relative.r,
+                                      kinematics.D_xi);
+            for (unsigned int d = 0; d < dim - 1; ++d)
+              add_outer<dim>(kinematics.D_n, master.n_a[d], kinematics.D_xi[d]);
+          }
+        // D r = DW - a_alpha D xi^alpha;  D w = D r + a_alpha,old D xi^alpha
+        clear<dim>(relative.D_r);
+        for (unsigned int i = 0; i < dim; ++i)
+          relative.D_r[i][G::W + i] = 1.;
+        relative.D_w = relative.D_r;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          {
+            add_outer<dim>(relative.D_r, -1. * master.a[d], kinematics.D_xi[d]);
+            add_outer<dim>(relative.D_w,
+                           master_old.a[d] - master.a[d],
+                           kinematics.D_xi[d]);
+          }
       }
-
-    // D r = DW - a_alpha D xi^alpha;  D w = D r + a_alpha,old D xi^alpha
-    VectorRows<dim> D_r, D_w;
-    clear<dim>(D_r);
-    for (unsigned int i = 0; i < dim; ++i)
-      D_r[i][G::W + i] = 1.;
-    D_w = D_r;
-    for (unsigned int d = 0; d < dim - 1; ++d)
-      {
-        add_outer<dim>(D_r, -1. * master.a[d], kinematics.D_xi[d]);
-        add_outer<dim>(D_w, master_old.a[d] - master.a[d], kinematics.D_xi[d]);
-      }
-
-    kinematics.D_d_n       = contract<dim>(n, D_r);
-    const auto r_times_D_n = contract<dim>(r, kinematics.D_n);
-    for (unsigned int c = 0; c < G::n; ++c)
-      kinematics.D_d_n[c] += r_times_D_n[c];
-
-    clear<dim>(kinematics.D_d_t);
-    add_product<dim>(kinematics.D_d_t,
-                     Tensor<2, dim>(unit_symmetric_tensor<dim>()) -
-                       outer_product(n, n),
-                     D_w);
-    add_outer<dim>(kinematics.D_d_t, -1. * n, contract<dim>(w, kinematics.D_n));
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int c = 0; c < G::n; ++c)
-        kinematics.D_d_t[i][c] -= (n * w) * kinematics.D_n[i][c];
+    evaluate_gap_and_slip(relative,
+                          slave.direction,
+                          slave.gap_offset,
+                          geometry_is_live,
+                          differentiate,
+                          kinematics);
   }
 
 
@@ -304,6 +328,12 @@ namespace stickslip
 #define INSTANTIATE(dim)                                                \
   template std::array<Tensor<1, dim>, dim - 1> tangent_basis(           \
     const Tensor<1, dim> &, const Tensor<1, dim> &);                    \
+  template void evaluate_gap_and_slip(const RelativePosition<dim> &,    \
+                                      const Tensor<1, dim> &,           \
+                                      const double,                     \
+                                      const bool,                       \
+                                      const bool,                       \
+                                      ContactKinematics<dim> &);        \
   template void evaluate_contact_kinematics(const Pairing<dim> &,       \
                                             const MasterPoint<dim> &,   \
                                             const MasterPoint<dim> &,   \

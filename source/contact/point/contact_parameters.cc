@@ -276,11 +276,22 @@ namespace stickslip
                quadrature,
                all_contact_rules(),
                "Rule that places the contact points on a slave face.");
-    prm.add_parameter("Quadrature order",
-                      quadrature_order,
-                      "Gauss: points per direction. Simpson: subintervals. "
-                      "Newton-Cotes: intervals. Not used by nodal.",
-                      Patterns::Integer(1, 20));
+    prm.add_parameter(
+      "Quadrature order",
+      quadrature_order,
+      "Gauss: points per direction. Simpson: subintervals. "
+      "Newton-Cotes: intervals. segments: points per direction "
+      "of a segment, if more than parallelograms need. Not used "
+      "by nodal.",
+      Patterns::Integer(1, 20));
+    add_choice(prm,
+               "Weighting functions",
+               weighting,
+               all_weighting_functions(),
+               expert(
+                 "With 'Quadrature = segments': what gap and slip are averaged "
+                 "with, the multipliers' shape functions or the functions dual "
+                 "(biorthogonal) to them."));
     add_choice(prm,
                "Normals",
                normals,

@@ -24,19 +24,18 @@ namespace stickslip
 
   template <int dim>
   void
-  keep_undetermined_Lambda(const ContactElement<dim>    &element,
+  keep_undetermined_Lambda(const ContactPoint<dim>      &point,
                            const ContactEvaluation<dim> &state,
+                           const std::vector<double>    &L,
+                           const unsigned int            n,
                            FullMatrix<double>           &local)
   {
     // negligible beside the rows of nodes that are free to slip
     constexpr double factor = 1e-9;
     if (!state.status.stick || state.response.threshold <= 0.)
       return;
-    const ContactPoint<dim>   &point = element.point;
-    const std::vector<double> &L     = element.multiplier_shape;
-    const unsigned int         n     = element.n_multiplier_components;
-    const unsigned int         first = local.m() - L.size() * n;
-    const double               scale = factor * point.geometry.weight *
+    const unsigned int first = local.m() - L.size() * n;
+    const double       scale = factor * point.geometry.weight *
                          state.response.threshold /
                          point.regularization.r_t_law;
     for (unsigned int l = 0; l < L.size(); ++l)
@@ -47,8 +46,10 @@ namespace stickslip
 #define INSTANTIATE(dim)                                                      \
   template void assume_stick_before_first_pressure(const ContactPoint<dim> &, \
                                                    ContactEvaluation<dim> &); \
-  template void keep_undetermined_Lambda(const ContactElement<dim> &,         \
+  template void keep_undetermined_Lambda(const ContactPoint<dim> &,           \
                                          const ContactEvaluation<dim> &,      \
+                                         const std::vector<double> &,         \
+                                         const unsigned int,                  \
                                          FullMatrix<double> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -1,5 +1,7 @@
 #include <stickslip/contact/results/contact_results.h>
 
+#include <stickslip/contact/results/neighbour_points.h>
+
 #include <deal.II/base/array_view.h>
 #include <deal.II/base/mpi.h>
 
@@ -12,6 +14,23 @@ namespace stickslip
 {
   namespace
   {
+    /// Multiplier shape function @p l at the displacement nodes of a face.
+    template <int dim>
+    std::vector<double>
+    multiplier_at_nodes(const ContactPair<dim> &pair, const unsigned int l)
+    {
+      std::vector<double> values, L;
+      for (unsigned int j = 0; j < pair.displacement_shape.n_nodes(); ++j)
+        {
+          pair.multiplier_shape.evaluate_values(pair.displacement_shape.node(j),
+                                                L);
+          values.push_back(L[l]);
+        }
+      return values;
+    }
+
+
+
     template <int dim>
     ContactPointResult<dim>
     point_result(ContactAssembler<dim>   &contact,
@@ -22,10 +41,21 @@ namespace stickslip
       ContactPointResult<dim>       result;
       result.reference_position = Point<dim>(point.geometry.reference_position);
       result.position           = Point<dim>(pair.slave_position(point).x);
-      result.reference_weight   = point.geometry.weight;
+      result.centre_of_force    = result.position;
+      result.reference_weight   = pair.area_of(point);
       result.area_ratio         = pair.area_ratio(point);
       result.shape_values =
         pair.table.displacement[point.geometry.quadrature_index].value;
+      if (pair.mortar)
+        {
+          result.shape_values =
+            multiplier_at_nodes(pair, point.geometry.quadrature_index);
+          if (point.pairing.paired)
+            result.centre_of_force =
+              Point<dim>(pair.mortar->average(point.geometry.mortar_node).x);
+        }
+      result.Lambda =
+        tangential_vector<dim>(state.multipliers.Lambda, state.kinematics.tau);
       result.accumulated_slip = point.accumulated_slip;
       result.state            = observe(point, state).state;
       result.gap      = point.pairing.paired ? -state.kinematics.d_n : 0.;
@@ -40,6 +70,25 @@ namespace stickslip
           result.slip = state.kinematics.d_t;
         }
       return result;
+    }
+    /// Lambda as a vector is known where there is a frame: at the points.
+    template <int dim>
+    void
+    average_Lambda(ContactFaceResult<dim> &face)
+    {
+      std::vector<double> sums(face.Lambda.size(), 0.);
+      for (const auto &point : face.all_points())
+        for (unsigned int j = 0; j < sums.size(); ++j)
+          if (point.shape_values[j] > 0.)
+            {
+              const double weight =
+                point.shape_values[j] * point.reference_weight;
+              face.Lambda[j] += weight * point.Lambda;
+              sums[j] += weight;
+            }
+      for (unsigned int j = 0; j < sums.size(); ++j)
+        if (sums[j] > 0.)
+          face.Lambda[j] /= sums[j];
     }
   } // namespace
 
@@ -72,31 +121,13 @@ namespace stickslip
             face.Lambda.resize(positions.size());
             results.push_back(face);
           }
-        // Lambda as a vector is known where there is a frame: at the points
-        std::vector<std::vector<double>> weights(pair.slave_faces.size());
         for (const auto &point : pair.points)
-          {
-            ContactFaceResult<dim> &face =
-              results[first + point.geometry.slave_face];
-            face.points.push_back(point_result(contact, pair, point));
-            const auto                   &N = face.points.back().shape_values;
-            const ContactEvaluation<dim> &state = contact.evaluate(pair, point);
-            const Tensor<1, dim>          Lambda =
-              tangential_vector<dim>(state.multipliers.Lambda,
-                                     state.kinematics.tau);
-            auto &sums = weights[point.geometry.slave_face];
-            sums.resize(N.size(), 0.);
-            for (unsigned int j = 0; j < N.size(); ++j)
-              if (N[j] > 0.)
-                {
-                  face.Lambda[j] += N[j] * point.geometry.weight * Lambda;
-                  sums[j] += N[j] * point.geometry.weight;
-                }
-          }
-        for (unsigned int f = 0; f < weights.size(); ++f)
-          for (unsigned int j = 0; j < weights[f].size(); ++j)
-            if (weights[f][j] > 0.)
-              results[first + f].Lambda[j] /= weights[f][j];
+          results[first + point.geometry.slave_face].points.push_back(
+            point_result(contact, pair, point));
+        if (pair.mortar)
+          add_points_of_neighbours(contact, p, &results[first]);
+        for (std::size_t f = first; f < results.size(); ++f)
+          average_Lambda(results[f]);
       }
     return results;
   }

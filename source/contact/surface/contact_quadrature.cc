@@ -52,7 +52,8 @@ namespace stickslip
       {"nodal", ContactRule::nodal},
       {"Gauss", ContactRule::Gauss},
       {"Simpson", ContactRule::Simpson},
-      {"Newton-Cotes", ContactRule::Newton_Cotes}};
+      {"Newton-Cotes", ContactRule::Newton_Cotes},
+      {"segments", ContactRule::segments}};
     return choices;
   }
 
@@ -68,6 +69,7 @@ namespace stickslip
     switch (rule)
       {
         case ContactRule::nodal:
+        case ContactRule::segments:
           return QGaussLobatto<facedim>(multiplier_degree + 1);
         case ContactRule::Gauss:
           check_order(order >= 1 && order <= 20, order, "1 to 20", path);

@@ -44,13 +44,13 @@ namespace stickslip
 
   template <int dim>
   std::set<types::global_dof_index>
-  excluded_slave_nodes(const std::vector<SlaveFace<dim>>  &slave_faces,
-                       const std::set<types::boundary_id> &boundary,
-                       const std::string                  &points_text,
-                       const std::string                  &points_path,
-                       const Mapping<dim>                 &mapping,
-                       const DoFHandler<dim>              &dof_handler,
-                       const MPI_Comm                     &communicator)
+  excluded_slave_nodes(const std::vector<CollectedFace<dim>> &slave_faces,
+                       const std::set<types::boundary_id>    &boundary,
+                       const std::string                     &points_text,
+                       const std::string                     &points_path,
+                       const Mapping<dim>                    &mapping,
+                       const DoFHandler<dim>                 &dof_handler,
+                       const MPI_Comm                        &communicator)
   {
     std::set<types::global_dof_index> excluded;
     const auto no_modulus = [](const types::material_id) { return 1.; };
@@ -82,7 +82,7 @@ namespace stickslip
 
 #define INSTANTIATE(dim)                                           \
   template std::set<types::global_dof_index> excluded_slave_nodes( \
-    const std::vector<SlaveFace<dim>> &,                           \
+    const std::vector<CollectedFace<dim>> &,                       \
     const std::set<types::boundary_id> &,                          \
     const std::string &,                                           \
     const std::string &,                                           \

@@ -19,31 +19,6 @@ namespace stickslip
 
 
 
-    /// Derivative of a_1 x a_2 when a_alpha changes by gradient[alpha] * dx.
-    template <int dim>
-    Tensor<2, dim>
-    surface_normal_derivative(const std::array<Tensor<1, dim>, dim - 1> &a,
-                              const Tensor<1, dim - 1> &gradient)
-    {
-      Tensor<2, dim> D;
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          Tensor<1, dim> e;
-          e[c] = 1.;
-          Tensor<1, dim> column;
-          if constexpr (dim == 2)
-            column = surface_normal<dim>({{gradient[0] * e}});
-          else
-            column = cross_product_3d(gradient[0] * e, a[1]) +
-                     cross_product_3d(a[0], gradient[1] * e);
-          for (unsigned int i = 0; i < dim; ++i)
-            D[i][c] = column[i];
-        }
-      return D;
-    }
-
-
-
     template <int dim>
     Tensor<2, dim>
     tangential_projector(const Tensor<1, dim> &n)

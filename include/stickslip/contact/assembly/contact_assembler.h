@@ -79,10 +79,18 @@ namespace stickslip
                 LA::BlockSparseMatrix &matrix,
                 LA::BlockVector       &rhs);
 
-    /// Global dofs of a point: slave nodes, master stencil, multipliers.
+    /// Global dofs of a point: slave nodes, master stencil, multipliers. A
+    /// mortar node has only its own multipliers.
     std::vector<types::global_dof_index>
     point_dofs(const ContactPair<dim>  &pair,
                const ContactPoint<dim> &point) const;
+
+    /// How the point's relative displacement depends on those of the nodes, per
+    /// node of point_dofs(). Needs a paired point, and the last evaluation.
+    std::vector<double>
+    relative_shape(const ContactPair<dim>       &pair,
+                   const ContactPoint<dim>      &point,
+                   const ContactEvaluation<dim> &state) const;
 
     /// Adds the step's slip to the points' history and keeps the pairing.
     void
@@ -100,6 +108,20 @@ namespace stickslip
     }
 
   private:
+    /// Weak form of a point, and its tangent, in the order of point_dofs().
+    void
+    evaluate_local_residual(const ContactPair<dim>       &pair,
+                            const ContactPoint<dim>      &point,
+                            const ContactEvaluation<dim> &state,
+                            Vector<double>               &local) const;
+
+    void
+    evaluate_local_tangent(const ContactPair<dim>       &pair,
+                           const ContactPoint<dim>      &point,
+                           const ContactEvaluation<dim> &state,
+                           const bool                    linearize_geometry,
+                           FullMatrix<double>           &local) const;
+
     std::vector<std::unique_ptr<ContactPair<dim>>> pairs;
     MultiplierNumbering                            numbering;
     types::global_dof_index                        n_displacements;

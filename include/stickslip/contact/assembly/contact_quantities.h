@@ -46,11 +46,9 @@ namespace stickslip
   protected:
     ContactAssembler<dim> &contact;
 
-    /// @p flag says whether the quantity is live; with @p may_fetch_patches
-    /// evaluations may fetch the master patches anew.
+    /// @p flag says whether the quantity is live.
     PointQuantity(const std::string &name,
                   bool Liveness::*const   flag,
-                  const bool              may_fetch_patches,
                   ContactAssembler<dim>  &contact,
                   const ConfigureContact &configure);
 
@@ -70,7 +68,6 @@ namespace stickslip
   private:
     std::string label;
     bool Liveness::*const flag;
-    bool                  may_fetch_patches;
     ConfigureContact      configure;
     std::vector<Value>    values; ///< in the order of for_each_point()
   };
@@ -83,11 +80,17 @@ namespace stickslip
    * refresh over the largest displacement.
    */
   template <int dim>
-  class ContactGeometry : public PointQuantity<dim, Pairing<dim>>
+  class ContactGeometry : public FreezableQuantity
   {
   public:
     ContactGeometry(ContactAssembler<dim>  &contact,
                     const ConfigureContact &configure);
+
+    std::string
+    name() const override;
+
+    void
+    set_live(const bool live) override;
 
     void
     evaluate(const LA::BlockVector &x) override;
@@ -99,22 +102,11 @@ namespace stickslip
     accept() override;
 
   private:
-    LA::Vector evaluated_at;
-    LA::Vector accepted_at;
-
-    Pairing<dim>
-    value_at(const ContactPair<dim>  &pair,
-             const ContactPoint<dim> &point) const override
-    {
-      return pair.find_pairing(point);
-    }
-
-    void
-    freeze(ContactPoint<dim> &point, const Pairing<dim> &pairing) const override
-    {
-      point.pairing = pairing;
-      point.hysteresis.accept_iterate(pairing);
-    }
+    ContactAssembler<dim>          &contact;
+    ConfigureContact                configure;
+    std::vector<FoundPairings<dim>> pairings; ///< [pair]
+    LA::Vector                      evaluated_at;
+    LA::Vector                      accepted_at;
   };
 
 

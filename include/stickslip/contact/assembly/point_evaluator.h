@@ -5,6 +5,7 @@
 
 #include <stickslip/contact/pairing/contact_pair.h>
 #include <stickslip/contact/point/contact_element.h>
+#include <stickslip/contact/point/mortar_element.h>
 
 namespace stickslip
 {
@@ -78,6 +79,11 @@ namespace stickslip
     ContactElement<dim>
     element_of(const ContactPair<dim>  &pair,
                const ContactPoint<dim> &point) const;
+
+    /// Likewise for mortar_element.h, in pairs with segments.
+    MortarElement<dim>
+    mortar_element_of(const ContactPair<dim>  &pair,
+                      const ContactPoint<dim> &point) const;
 
   private:
     ContactEvaluation<dim> state;

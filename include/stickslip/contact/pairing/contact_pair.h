@@ -4,6 +4,7 @@
 #include <stickslip/base/space_time_function.h>
 
 #include <stickslip/contact/pairing/master_patch.h>
+#include <stickslip/contact/pairing/mortar_surface.h>
 #include <stickslip/contact/point/contact_parameters.h>
 #include <stickslip/contact/point/contact_points.h>
 #include <stickslip/contact/surface/multiplier_numbering.h>
@@ -16,6 +17,16 @@
 
 namespace stickslip
 {
+  /// The pairings of all points of a pair in one configuration.
+  template <int dim>
+  struct FoundPairings
+  {
+    std::vector<Pairing<dim>>                   points; ///< not with segments
+    typename MortarSurface<dim>::PairingPointer segments;
+  };
+
+
+
   /**
    * A slave and a master surface: the slave faces and contact points of this
    * rank and the patch of master faces around them. Knows geometry and
@@ -80,28 +91,55 @@ namespace stickslip
     Pairing<dim>
     find_pairing(const ContactPoint<dim> &point) const;
 
-    /// The pairing that the point remembers; unpaired if its face is not in the
-    /// patch.
-    Pairing<dim>
-    last_pairing(const ContactPoint<dim> &point) const;
+    /// All pairings in the present configuration.
+    FoundPairings<dim>
+    find_pairings() const;
+
+    /// Those of the last accepted iterate or frozen geometry, without those
+    /// that are no longer in the patch.
+    FoundPairings<dim>
+    last_pairings() const;
+
+    /// The points take these pairings.
+    void
+    use_pairings(const FoundPairings<dim> &pairings);
+
+    /// The present pairings are those of an accepted iterate or a frozen
+    /// geometry. Those that follow from that memory are found again with
+    /// @p find_again.
+    void
+    accept_iterate(const bool find_again);
+
+    /// Likewise, of an accepted step.
+    void
+    accept_step();
+
+    /// Back to the pairings of the last accepted step.
+    void
+    restore();
 
     SlavePosition<dim>
     slave_position(const ContactPoint<dim> &point) const;
+
+    /// The slave area that the traction at a point acts on, undeformed.
+    double
+    area_of(const ContactPoint<dim> &point) const;
 
     /// Current over reference area of the slave surface at a point.
     double
     area_ratio(const ContactPoint<dim> &point) const;
 
-    const ContactPairParameters       parameters;
-    const std::string                 name;
-    const FaceShape<dim>              displacement_shape;
-    const FaceShape<dim>              multiplier_shape;
-    SlaveShapeTable<dim>              table;
-    std::vector<SlaveFace<dim>>       slave_faces;
-    std::vector<ContactPoint<dim>>    points;
-    std::unique_ptr<MasterPatch<dim>> patch;
-    double largest_slave_diameter = 0.;    ///< over ranks
-    double softest_modulus        = 0.;    ///< of both sides, over ranks
+    const ContactPairParameters         parameters;
+    const std::string                   name;
+    const FaceShape<dim>                displacement_shape;
+    const FaceShape<dim>                multiplier_shape;
+    SlaveShapeTable<dim>                table;
+    std::vector<SlaveFace<dim>>         slave_faces;
+    std::vector<ContactPoint<dim>>      points;
+    std::unique_ptr<MasterPatch<dim>>   patch;
+    std::unique_ptr<MortarSurface<dim>> mortar; ///< only with segments
+    double largest_slave_diameter = 0.;         ///< over ranks
+    double softest_modulus        = 0.;         ///< of both sides, over ranks
     bool   has_to_hold            = false; ///< a body that nothing else holds
 
     /// Current and old positions of the nodes of an owned slave face.
@@ -112,6 +150,13 @@ namespace stickslip
     }
 
   private:
+    Pairing<dim>
+    last_pairing(const ContactPoint<dim> &point) const;
+
+    /// From the averages of the mortar surface.
+    Pairing<dim>
+    mortar_pairing(const ContactPoint<dim> &point) const;
+
     SpaceTimeFunction<dim>                   gap_offset;
     MPI_Comm                                 communicator;
     std::set<types::global_dof_index>        excluded;

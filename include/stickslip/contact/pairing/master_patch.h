@@ -94,6 +94,23 @@ namespace stickslip
       return pairing.face < faces.size();
     }
 
+    /// Numbers of the faces whose boxes lie within the search distance of the
+    /// box around @p positions, sorted.
+    std::vector<unsigned int>
+    faces_near(const std::vector<Tensor<1, dim>> &positions) const;
+
+    double
+    search_distance() const
+    {
+      return tolerances.search_distance;
+    }
+
+    unsigned int
+    n_faces() const
+    {
+      return faces.size();
+    }
+
     /// Index of a face of the patch by its name; the number of faces if it is
     /// not there.
     unsigned int

@@ -30,9 +30,18 @@ namespace stickslip
     static constexpr unsigned int lambda = E + dim;
     static constexpr unsigned int Lambda = lambda + 1;
     static constexpr unsigned int n      = Lambda + dim - 1;
+    /// A mortar node has a motion of its own beside W, and no C_alpha.
+    static constexpr unsigned int motion = C;
+
     /// Rows that a contact point produces: W, C_alpha, lambda, Lambda.
     using Row = std::array<double, n>;
   };
+
+
+
+  /// Derivative of a vector: one row per component.
+  template <int dim>
+  using VectorRows = std::array<typename GeneralizedCoordinates<dim>::Row, dim>;
 
   /// The slave's side of a contact point, now and at the start of the step.
   template <int dim>
@@ -61,12 +70,25 @@ namespace stickslip
     std::array<Tensor<1, dim>, dim - 1> tau;
     std::array<Tensor<1, dim>, dim - 1> a;
 
-    std::array<Row, dim - 1>                  D_xi;
-    Row                                       D_d_n;
-    std::array<Row, dim>                      D_n;
-    std::array<Row, dim>                      D_d_t;
-    std::array<std::array<Row, dim>, dim - 1> D_tau;
+    std::array<Row, dim - 1>             D_xi;
+    Row                                  D_d_n;
+    VectorRows<dim>                      D_n;
+    VectorRows<dim>                      D_d_t;
+    std::array<VectorRows<dim>, dim - 1> D_tau;
   };
+
+  /// What the gap and the slip of a contact point are made of, with the
+  /// derivatives (not filled without differentiation).
+  template <int dim>
+  struct RelativePosition
+  {
+    Tensor<1, dim>  r; ///< x_s - x_m
+    Tensor<1, dim>  w; ///< its change in the step, with the same partners
+    VectorRows<dim> D_r;
+    VectorRows<dim> D_w;
+  };
+
+
 
   /**
    * Tangent basis of the plane normal to @p n. In 2D n turned by 90 degrees; in
@@ -77,6 +99,20 @@ namespace stickslip
   template <int dim>
   std::array<Tensor<1, dim>, dim - 1>
   tangent_basis(const Tensor<1, dim> &n, const Tensor<1, dim> &e);
+
+  /**
+   * Gap and slip from the relative position, the frame (n, tau) and its
+   * derivative D_n, which must be in @p kinematics; with @p geometry_is_live
+   * also D_tau. @p direction is E.
+   */
+  template <int dim>
+  void
+  evaluate_gap_and_slip(const RelativePosition<dim> &relative,
+                        const Tensor<1, dim>        &direction,
+                        const double                 gap_offset,
+                        const bool                   geometry_is_live,
+                        const bool                   differentiate,
+                        ContactKinematics<dim>      &kinematics);
 
   /**
    * Evaluates the kinematics for @p frame. @p master is the master point at

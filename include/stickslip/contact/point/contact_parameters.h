@@ -4,6 +4,7 @@
 #include <stickslip/base/choice.h>
 
 #include <stickslip/contact/surface/contact_quadrature.h>
+#include <stickslip/contact/surface/weighting_functions.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -131,9 +132,10 @@ namespace stickslip
     double        tresca_threshold     = 0.;
     ThresholdForm threshold_form       = ThresholdForm::augmented;
 
-    MultiplierSpace multiplier_space = MultiplierSpace::displacement_trace;
-    ContactRule     quadrature       = ContactRule::nodal;
-    unsigned int    quadrature_order = 2;
+    MultiplierSpace    multiplier_space = MultiplierSpace::displacement_trace;
+    ContactRule        quadrature       = ContactRule::segments;
+    unsigned int       quadrature_order = 2;
+    WeightingFunctions weighting        = WeightingFunctions::dual;
 
     Normals                  normals              = Normals::smoothed;
     double                   smoothing_angle      = 60.;
@@ -167,10 +169,18 @@ namespace stickslip
       return friction != Friction::none;
     }
 
+    /// True if averages over segments take the place of contact points.
+    bool
+    has_segments() const
+    {
+      return quadrature == ContactRule::segments;
+    }
+
+    /// True if the normals are interpolated on the master surface.
     bool
     has_smoothed_normals() const
     {
-      return normals == Normals::smoothed;
+      return normals == Normals::smoothed && !has_segments();
     }
 
     /// True if the converged state does not depend on the regularization

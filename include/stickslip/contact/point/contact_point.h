@@ -17,7 +17,8 @@ namespace stickslip
   {
     unsigned int   slave_face       = 0;
     unsigned int   quadrature_index = 0;
-    double         weight = 0.; ///< quadrature weight x reference area
+    unsigned int   mortar_node      = 0; ///< with `Quadrature = segments`
+    double         weight = 0.;          ///< quadrature weight x reference area
     Tensor<1, dim> reference_position;
     /// Derivative of the slave shape functions along the first reference
     /// tangent: carries the tangent basis (3D).

@@ -21,11 +21,14 @@ namespace stickslip
                                      ContactEvaluation<dim>  &state);
 
   /// A sticking node whose tangential displacement is prescribed leaves Lambda
-  /// undetermined: it keeps the value that it has.
+  /// undetermined: it keeps the value that it has. @p multiplier_shape are the
+  /// values at the point of the last multipliers of @p local.
   template <int dim>
   void
-  keep_undetermined_Lambda(const ContactElement<dim>    &element,
+  keep_undetermined_Lambda(const ContactPoint<dim>      &point,
                            const ContactEvaluation<dim> &state,
+                           const std::vector<double>    &multiplier_shape,
+                           const unsigned int            n_components,
                            FullMatrix<double>           &local);
 } // namespace stickslip
 

@@ -20,11 +20,15 @@ namespace stickslip
   struct ContactPointResult
   {
     Point<dim> reference_position;
-    Point<dim> position;              ///< current
-    double     reference_weight;      ///< quadrature weight x reference area
-    double     area_ratio;            ///< current / reference slave area
-    std::vector<double> shape_values; ///< of the slave face nodes at this point
+    Point<dim> position;         ///< current
+    Point<dim> centre_of_force;  ///< where its force acts
+    double     reference_weight; ///< reference area that it stands for
+    double     area_ratio;       ///< current / reference slave area
+    /// Of the slave face nodes at this point; with segments, of the point's
+    /// multiplier at these nodes.
+    std::vector<double> shape_values;
     ContactState        state;
+    Tensor<1, dim>      Lambda; ///< friction multiplier as a vector
     double              gap;    ///< >= 0 open (minus d_n); 0 if unpaired
     Tensor<1, dim>      normal; ///< outward normal of the master
     double         pressure; ///< >= 0, nominal: -(lambda_n - r d_n) if closed
@@ -45,6 +49,19 @@ namespace stickslip
     std::vector<Tensor<1, dim>>
       Lambda; ///< nodal friction multiplier as a vector (unit ball)
     std::vector<ContactPointResult<dim>> points;
+    /// With segments: points of its nodes that belong to a neighbour. For nodal
+    /// fields only.
+    std::vector<ContactPointResult<dim>> points_of_neighbours;
+
+    std::vector<ContactPointResult<dim>>
+    all_points() const
+    {
+      auto all = points;
+      all.insert(all.end(),
+                 points_of_neighbours.begin(),
+                 points_of_neighbours.end());
+      return all;
+    }
   };
 } // namespace stickslip
 

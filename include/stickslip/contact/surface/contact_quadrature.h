@@ -17,22 +17,23 @@ namespace stickslip
     nodal,
     Gauss,
     Simpson,
-    Newton_Cotes
+    Newton_Cotes,
+    segments ///< averages over intersections of slave and master faces
   };
 
   const Choices<ContactRule> &
   all_contact_rules();
 
   /**
-   * True if each contact point is a node of the multipliers, so that each
-   * multiplier belongs to one point: the discrete equations are then the
+   * True if the contact law holds at each node of the multipliers, so that each
+   * multiplier belongs to one law: the discrete equations are then the
    * contact law at each point, and their solution does not depend on the
    * regularization parameters.
    */
   inline bool
   has_one_multiplier_per_point(const ContactRule rule)
   {
-    return rule == ContactRule::nodal;
+    return rule == ContactRule::nodal || rule == ContactRule::segments;
   }
 
   /**
@@ -43,7 +44,9 @@ namespace stickslip
    * - `Gauss` with @p order points per direction (1 to 20);
    * - `Simpson` with @p order subintervals (1 to 20);
    * - `Newton-Cotes` with @p order intervals, order + 1 points (1 to 7 and 9:
-   *   order 8 has negative weights, which the contact law cannot take).
+   *   order 8 has negative weights, which the contact law cannot take);
+   * - `segments`: the points of `nodal`, at which averages are then taken
+   *   (pairing/mortar_surface.h).
    *
    * Tensor products on [0,1]^(facedim). Throws UserError naming @p path.
    */

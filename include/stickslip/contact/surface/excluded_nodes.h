@@ -17,13 +17,13 @@ namespace stickslip
    */
   template <int dim>
   std::set<types::global_dof_index>
-  excluded_slave_nodes(const std::vector<SlaveFace<dim>>  &slave_faces,
-                       const std::set<types::boundary_id> &boundary,
-                       const std::string                  &points_text,
-                       const std::string                  &points_path,
-                       const Mapping<dim>                 &mapping,
-                       const DoFHandler<dim>              &dof_handler,
-                       const MPI_Comm                     &communicator);
+  excluded_slave_nodes(const std::vector<CollectedFace<dim>> &slave_faces,
+                       const std::set<types::boundary_id>    &boundary,
+                       const std::string                     &points_text,
+                       const std::string                     &points_path,
+                       const Mapping<dim>                    &mapping,
+                       const DoFHandler<dim>                 &dof_handler,
+                       const MPI_Comm                        &communicator);
 } // namespace stickslip
 
 #endif

@@ -1,0 +1,166 @@
+#ifndef stickslip_contact_pairing_mortar_surface_h
+#define stickslip_contact_pairing_mortar_surface_h
+
+#include <stickslip/contact/pairing/mortar_integrals.h>
+#include <stickslip/contact/point/contact_points.h>
+#include <stickslip/contact/surface/weighting_functions.h>
+
+#include <functional>
+#include <memory>
+#include <set>
+#include <vector>
+
+namespace stickslip
+{
+  /// What a frozen geometry keeps of a mortar surface.
+  template <int dim>
+  struct MortarPairing
+  {
+    std::vector<FaceSegments<dim>> segments; ///< per mortar face
+    std::vector<MortarFrame<dim>>  frames;   ///< per mortar node
+  };
+
+
+
+  /**
+   * The slave surface of a pair with `Quadrature = segments`: the multiplier
+   * nodes of this rank, the slave faces around them, and the averages over the
+   * segments in the present configuration.
+   *
+   * A node belongs to the rank that owns the first (by FaceId) of its slave
+   * faces; the others are owned or ghosts, so no integral has to be sent.
+   */
+  template <int dim>
+  class MortarSurface
+  {
+  public:
+    using PairingPointer = std::shared_ptr<const MortarPairing<dim>>;
+
+    /**
+     * @p slaves are all slave faces, ghosts included; @p points the contact
+     * points of the nodal rule on @p owned_faces, of which one per node is
+     * kept: it has the number of its node. @p order as in SegmentRule. Not
+     * collective.
+     */
+    MortarSurface(const FaceShape<dim>                    &displacement_shape,
+                  const FaceShape<dim>                    &multiplier_shape,
+                  const unsigned int                       order,
+                  const WeightingFunctions                 weighting,
+                  const std::vector<CollectedFace<dim>>   &slaves,
+                  const std::vector<SlaveFace<dim>>       &owned_faces,
+                  const std::set<types::global_dof_index> &excluded,
+                  std::vector<ContactPoint<dim>>          &points);
+
+    const MortarNode<dim> &
+    node(const unsigned int i) const
+    {
+      return nodes[i];
+    }
+
+    /// The slave faces around the nodes.
+    const std::vector<MortarFace<dim>> &
+    mortar_faces() const
+    {
+      return faces;
+    }
+
+    /// What is added to the gap: @p offset of a reference position.
+    void
+    update_gap_offsets(const std::function<double(const Point<dim> &)> &offset);
+
+    /// Positions from ghosted displacements, now and at the start of the step.
+    void
+    update_configuration(const LA::Vector &u, const LA::Vector &u_old);
+
+    /// Segments and frames in the present configuration: a function of the
+    /// positions alone.
+    PairingPointer
+    find(const MasterPatch<dim> &patch) const;
+
+    /// Takes @p pairing, found now or earlier, and averages over it in the
+    /// present configuration.
+    void
+    use(const PairingPointer &pairing, const MasterPatch<dim> &patch);
+
+    const MortarAverage<dim> &
+    average(const unsigned int i) const
+    {
+      return averages[i];
+    }
+
+    const MortarFrame<dim> &
+    frame(const unsigned int i) const
+    {
+      return current->frames[i];
+    }
+
+    /// Master faces opposite node @p i, numbers in the patch, sorted.
+    std::vector<unsigned int>
+    masters_of(const unsigned int i) const;
+
+    /// Derivative of the averages of node @p i.
+    void
+    differentiate(const unsigned int      i,
+                  const MasterPatch<dim> &patch,
+                  MortarDerivative<dim>  &derivative) const;
+
+    /// The pairing in use is an accepted iterate, or a frozen geometry.
+    void
+    accept_iterate()
+    {
+      remembered = current;
+    }
+
+    /// Likewise, of an accepted step.
+    void
+    accept_step()
+    {
+      accepted = remembered = current;
+    }
+
+    /// Back to the accepted step.
+    void
+    restore()
+    {
+      remembered = accepted;
+    }
+
+    /// The last accepted iterate; empty before the first.
+    const PairingPointer &
+    last() const
+    {
+      return remembered;
+    }
+
+    /// The numbers of master faces have changed.
+    void
+    relocate(const MasterPatch<dim> &patch);
+
+  private:
+    const FaceShape<dim>            displacement_shape;
+    const FaceShape<dim>            multiplier_shape;
+    const SegmentRule<dim>          rule;
+    const MortarIntegrals<dim>      integrals;
+    std::vector<MortarFace<dim>>    faces;
+    std::vector<MortarNode<dim>>    nodes;
+    std::vector<FaceIntegrals<dim>> over_faces; ///< of the present pairing
+    std::vector<MortarAverage<dim>> averages;
+    PairingPointer                  current;
+    PairingPointer                  remembered;
+    PairingPointer                  accepted;
+
+    void
+    collect_nodes(const std::vector<CollectedFace<dim>> &slaves,
+                  const std::vector<SlaveFace<dim>>     &owned_faces,
+                  std::vector<ContactPoint<dim>>        &points);
+
+    void
+    set_weightings(const WeightingFunctions                 kind,
+                   const std::set<types::global_dof_index> &excluded);
+
+    PairingPointer
+    empty_pairing() const;
+  };
+} // namespace stickslip
+
+#endif

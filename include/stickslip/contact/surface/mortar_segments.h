@@ -1,0 +1,167 @@
+#ifndef stickslip_contact_surface_mortar_segments_h
+#define stickslip_contact_surface_mortar_segments_h
+
+#include <stickslip/contact/surface/convex_cell.h>
+#include <stickslip/contact/surface/surface_face.h>
+
+#include <deal.II/base/quadrature.h>
+
+#include <array>
+#include <vector>
+
+namespace stickslip
+{
+  /**
+   * The plane (2D: line) on which a slave face and the master faces opposite
+   * it are intersected: through the centre of the slave face, normal to it
+   * there. Positions are projected along the normal (Puso and Laursen, Comput.
+   * Methods Appl. Mech. Engrg. 193, 2004).
+   */
+  template <int dim>
+  struct ProjectionPlane
+  {
+    Tensor<1, dim>                      origin;
+    Tensor<1, dim>                      n; ///< outward normal of the slave
+    std::array<Tensor<1, dim>, dim - 1> e; ///< orthonormal, in the plane
+
+    /// Coordinates of the projection of @p x [length].
+    Point<dim - 1>
+    coordinates(const Tensor<1, dim> &x) const
+    {
+      Point<dim - 1> p;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        p[d] = e[d] * (x - origin);
+      return p;
+    }
+  };
+
+
+
+  /// The plane of a slave face. @p positions are those of its nodes.
+  template <int dim>
+  ProjectionPlane<dim>
+  projection_plane(const SurfaceFace<dim>            &slave,
+                   const FaceShape<dim>              &shape,
+                   const std::vector<Tensor<1, dim>> &positions);
+
+
+
+  /// An integration point: the same place on a slave and on a master face.
+  template <int dim>
+  struct SegmentPoint
+  {
+    Point<dim - 1> xi;          ///< on the slave face
+    Point<dim - 1> eta;         ///< on the master face
+    unsigned int   master = 0;  ///< number of that face
+    double         weight = 0.; ///< undeformed slave area
+  };
+
+
+
+  /// A point of the border of a segment where the master surface ends: the
+  /// border moves over the slave face, with the straight line between two
+  /// nodes of the master.
+  template <int dim>
+  struct SegmentEnd
+  {
+    Point<dim - 1> xi;
+    Point<dim - 1> eta;
+    unsigned int   master = 0;
+    double         weight = 0.; ///< undeformed slave area per motion
+    Tensor<1, dim> outward;     ///< unit normal of the border, in the plane
+    std::array<unsigned int, 2> nodes{};    ///< of the master face
+    double                      share = 0.; ///< of the second of them
+  };
+
+
+
+  /// A face that is seen from a plane: its cells between neighbouring nodes
+  /// (one for degree 1, 2^(dim-1) for degree 2) as they are projected.
+  template <int dim>
+  struct ProjectedFace
+  {
+    std::vector<ConvexCell<dim - 1>>       cells;
+    std::vector<std::vector<unsigned int>> corners; ///< nodes of the cells
+    std::vector<Point<dim - 1>> centres; ///< of the cells, parametric
+    Point<dim - 1>              low;     ///< of all cells
+    Point<dim - 1>              high;
+  };
+
+  template <int dim>
+  ProjectedFace<dim>
+  project(const FaceShape<dim>              &shape,
+          const std::vector<Tensor<1, dim>> &positions,
+          const ProjectionPlane<dim>        &plane);
+
+
+
+  /**
+   * Integration over the intersection of a slave face with a master face, both
+   * projected on the plane of the slave face: polygons that are cut into
+   * triangles (2D: intervals). Exact for products of two shape functions where
+   * both faces are parallelograms; of a higher order where they are not, as the
+   * shape functions then are no polynomials in the plane.
+   */
+  template <int dim>
+  class SegmentRule
+  {
+  public:
+    /// At least @p order points per direction.
+    SegmentRule(const FaceShape<dim> &shape, const unsigned int order);
+
+    /// One side of an intersection: a face, where its nodes are, and how it
+    /// looks from the plane.
+    struct Side
+    {
+      const std::vector<Tensor<1, dim>> &positions;
+      const ProjectedFace<dim>          &projected;
+    };
+
+    /// Appends the points of the intersection to @p points, with the number
+    /// @p master. @p reference are the undeformed nodes of the slave face.
+    void
+    add_points(const ProjectionPlane<dim>     &plane,
+               const Side                     &slave,
+               const std::vector<Point<dim>>  &reference,
+               const Side                     &opposite,
+               const unsigned int              master,
+               std::vector<SegmentPoint<dim>> &points) const;
+
+    /// Appends the points of those borders of the intersection that lie on an
+    /// edge of the master's cells but not of the slave's. @p is_end[cell][i]:
+    /// nothing continues the master surface beyond the edge from corner i to
+    /// the next one (2D: beyond corner i).
+    void
+    add_ends(const ProjectionPlane<dim>           &plane,
+             const Side                           &slave,
+             const std::vector<Point<dim>>        &reference,
+             const Side                           &opposite,
+             const std::vector<std::vector<bool>> &is_end,
+             const unsigned int                    master,
+             std::vector<SegmentEnd<dim>>         &ends) const;
+
+    const FaceShape<dim> &
+    face_shape() const
+    {
+      return shape;
+    }
+
+  private:
+    const FaceShape<dim> shape;
+    Quadrature<dim - 1>  exact_rule; ///< for parallelograms
+    Quadrature<dim - 1>  other_rule;
+    Quadrature<dim - 2>  edge_rule;
+
+    /// Parametric coordinates of the point of a face above @p p, from a first
+    /// guess; false if there is none.
+    bool
+    find_above(const Point<dim - 1>              &p,
+               const ProjectionPlane<dim>        &plane,
+               const std::vector<Tensor<1, dim>> &positions,
+               Point<dim - 1>                    &xi,
+               FaceShapeValues<dim>              &values,
+               double                            &area_ratio) const;
+  };
+} // namespace stickslip
+
+#endif

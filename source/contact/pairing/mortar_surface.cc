@@ -1,0 +1,330 @@
+#include <stickslip/contact/pairing/mortar_surface.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <map>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// The segments with the present numbers of the master faces, without
+    /// those whose master is out of reach.
+    template <int dim>
+    FaceSegments<dim>
+    relocated_segments(const FaceSegments<dim> &before,
+                       const MasterPatch<dim>  &patch)
+    {
+      FaceSegments<dim>         after;
+      std::vector<unsigned int> number(before.masters.size());
+      std::vector<bool>         is_there(before.masters.size());
+      for (unsigned int i = 0; i < before.masters.size(); ++i)
+        {
+          const unsigned int m = patch.index_of(before.master_ids[i]);
+          is_there[i]          = m < patch.n_faces();
+          number[i]            = after.masters.size();
+          if (!is_there[i])
+            continue;
+          after.masters.push_back(m);
+          after.master_ids.push_back(before.master_ids[i]);
+        }
+      for (SegmentPoint<dim> point : before.points)
+        if (is_there[point.master])
+          {
+            point.master = number[point.master];
+            after.points.push_back(point);
+          }
+      for (SegmentEnd<dim> end : before.ends)
+        if (is_there[end.master])
+          {
+            end.master = number[end.master];
+            after.ends.push_back(end);
+          }
+      return after;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  MortarSurface<dim>::MortarSurface(
+    const FaceShape<dim>                    &displacement_shape,
+    const FaceShape<dim>                    &multiplier_shape,
+    const unsigned int                       order,
+    const WeightingFunctions                 weighting,
+    const std::vector<CollectedFace<dim>>   &slaves,
+    const std::vector<SlaveFace<dim>>       &owned_faces,
+    const std::set<types::global_dof_index> &excluded,
+    std::vector<ContactPoint<dim>>          &points)
+    : displacement_shape(displacement_shape)
+    , multiplier_shape(multiplier_shape)
+    , rule(displacement_shape, order)
+    , integrals(displacement_shape, multiplier_shape)
+  {
+    collect_nodes(slaves, owned_faces, points);
+    set_weightings(weighting, excluded);
+    for (auto &point : points)
+      point.geometry.weight = nodes[point.geometry.mortar_node].area;
+    averages.resize(nodes.size());
+    current = remembered = accepted = empty_pairing();
+  }
+
+
+
+  template <int dim>
+  void
+  MortarSurface<dim>::collect_nodes(
+    const std::vector<CollectedFace<dim>> &slaves,
+    const std::vector<SlaveFace<dim>>     &owned_faces,
+    std::vector<ContactPoint<dim>>        &points)
+  {
+    struct Corner
+    {
+      unsigned int slave, multiplier, displacement;
+    };
+    std::map<types::global_dof_index, std::vector<Corner>> corners;
+    for (unsigned int s = 0; s < slaves.size(); ++s)
+      for (unsigned int l = 0; l < multiplier_shape.n_nodes(); ++l)
+        {
+          const unsigned int j =
+            displacement_node(displacement_shape, multiplier_shape, l);
+          corners[slaves[s].face.dofs[j * dim]].push_back({s, l, j});
+        }
+
+    std::map<unsigned int, unsigned int> face_numbers;
+    const auto                           number_of = [&](const unsigned int s) {
+      const auto [entry, is_new] = face_numbers.emplace(s, faces.size());
+      if (is_new)
+        {
+          faces.emplace_back();
+          faces.back().face = slaves[s].face;
+        }
+      return entry->second;
+    };
+    const auto make_node = [&](const std::vector<Corner> &around) {
+      MortarNode<dim>                                 node;
+      std::map<types::global_dof_index, unsigned int> stencil;
+      for (const Corner &corner : around)
+        {
+          const SurfaceFace<dim> &face = slaves[corner.slave].face;
+          node.faces.push_back({number_of(corner.slave),
+                                corner.multiplier,
+                                corner.displacement,
+                                {}});
+          for (unsigned int k = 0; k < face.n_nodes; ++k)
+            {
+              const auto first = face.dofs.begin() + k * dim;
+              const auto [entry, is_new] =
+                stencil.emplace(*first, stencil.size());
+              if (is_new)
+                node.dofs.insert(node.dofs.end(), first, first + dim);
+              node.faces.back().stencil.push_back(entry->second);
+            }
+        }
+      return node;
+    };
+
+    std::vector<ContactPoint<dim>> kept;
+    for (const ContactPoint<dim> &point : points)
+      {
+        const SurfaceFace<dim> &own =
+          owned_faces[point.geometry.slave_face].face;
+        const unsigned int j =
+          displacement_node(displacement_shape,
+                            multiplier_shape,
+                            point.geometry.quadrature_index);
+        const auto &around = corners.at(own.dofs[j * dim]);
+        // the first of the faces, which are sorted, carries the point
+        if (!(slaves[around.front().slave].face.id == own.id))
+          continue;
+        kept.push_back(point);
+        kept.back().geometry.mortar_node = nodes.size();
+        nodes.push_back(make_node(around));
+        MortarNode<dim> &node = nodes.back();
+        node.direction.assign(node.n_stencil_nodes(), 0.);
+        for (unsigned int k = 0; k < own.n_nodes; ++k)
+          node.direction[node.faces.front().stencil[k]] =
+            point.geometry.direction_gradients[k];
+      }
+    points.swap(kept);
+  }
+
+
+
+  template <int dim>
+  void
+  MortarSurface<dim>::set_weightings(
+    const WeightingFunctions                 kind,
+    const std::set<types::global_dof_index> &excluded)
+  {
+    const QGauss<dim - 1>            quadrature(multiplier_shape.degree() +
+                                     displacement_shape.degree() + 1);
+    std::vector<std::vector<double>> weights; // [face][l]
+    FaceShapeValues<dim>             values;
+    std::vector<double>              L;
+    for (MortarFace<dim> &slave : faces)
+      {
+        const SurfaceFace<dim> &face = slave.face;
+        slave.weighting_kind         = kind;
+        for (unsigned int l = 0; l < multiplier_shape.n_nodes(); ++l)
+          slave.is_excluded.push_back(
+            excluded.count(
+              face.dofs[dim * displacement_node(
+                                displacement_shape, multiplier_shape, l)]) > 0);
+        const std::vector<Tensor<1, dim>> undeformed(
+          face.reference_positions.begin(),
+          face.reference_positions.begin() + face.n_nodes);
+        std::vector<double> areas;
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
+          {
+            displacement_shape.evaluate(quadrature.point(q), values);
+            areas.push_back(
+              quadrature.weight(q) *
+              surface_normal<dim>(
+                surface_tangents<dim>(values.gradient, undeformed))
+                .norm());
+            slave.area += areas.back();
+          }
+        const auto functions = [&](const WeightingFunctions which) {
+          return weighting_functions<dim>(
+            which, multiplier_shape, slave.is_excluded, quadrature, areas);
+        };
+        slave.extended  = functions(WeightingFunctions::standard);
+        slave.weighting = functions(kind);
+        weights.emplace_back(multiplier_shape.n_nodes(), 0.);
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
+          {
+            multiplier_shape.evaluate_values(quadrature.point(q), L);
+            for (unsigned int l = 0; l < L.size(); ++l)
+              for (unsigned int m = 0; m < L.size(); ++m)
+                weights.back()[l] += areas[q] * slave.weighting(l, m) * L[m];
+          }
+      }
+    for (auto &node : nodes)
+      for (const auto &around : node.faces)
+        node.area += weights[around.face][around.multiplier];
+  }
+
+
+
+  template <int dim>
+  typename MortarSurface<dim>::PairingPointer
+  MortarSurface<dim>::empty_pairing() const
+  {
+    const auto pairing = std::make_shared<MortarPairing<dim>>();
+    pairing->segments.resize(faces.size());
+    pairing->frames.resize(nodes.size());
+    return pairing;
+  }
+
+
+
+  template <int dim>
+  void
+  MortarSurface<dim>::update_gap_offsets(
+    const std::function<double(const Point<dim> &)> &offset)
+  {
+    for (MortarFace<dim> &slave : faces)
+      {
+        slave.gap_offsets.clear();
+        for (unsigned int k = 0; k < slave.face.n_nodes; ++k)
+          slave.gap_offsets.push_back(
+            offset(slave.face.reference_positions[k]));
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  MortarSurface<dim>::update_configuration(const LA::Vector &u,
+                                           const LA::Vector &u_old)
+  {
+    for (MortarFace<dim> &slave : faces)
+      {
+        const SurfaceFace<dim> &face = slave.face;
+        read_positions(face, face.n_nodes, u, slave.positions);
+        read_positions(face, face.n_nodes, u_old, slave.old_positions);
+      }
+  }
+
+
+
+  template <int dim>
+  typename MortarSurface<dim>::PairingPointer
+  MortarSurface<dim>::find(const MasterPatch<dim> &patch) const
+  {
+    const auto pairing = std::make_shared<MortarPairing<dim>>();
+    for (const MortarFace<dim> &slave : faces)
+      pairing->segments.push_back(find_segments(slave, rule, patch));
+    for (const auto &node : nodes)
+      pairing->frames.push_back(integrals.frame_at(node, faces));
+    return pairing;
+  }
+
+
+
+  template <int dim>
+  void
+  MortarSurface<dim>::use(const PairingPointer   &pairing,
+                          const MasterPatch<dim> &patch)
+  {
+    current = pairing;
+    over_faces.clear();
+    for (unsigned int f = 0; f < faces.size(); ++f)
+      over_faces.push_back(integrals.integrate(faces[f], current->segments[f]));
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      averages[i] = integrals.average(
+        nodes[i], faces, current->segments, over_faces, patch);
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  MortarSurface<dim>::masters_of(const unsigned int i) const
+  {
+    std::set<unsigned int> masters;
+    for (const auto &around : nodes[i].faces)
+      for (const unsigned int m : current->segments[around.face].masters)
+        masters.insert(m);
+    return {masters.begin(), masters.end()};
+  }
+
+
+
+  template <int dim>
+  void
+  MortarSurface<dim>::differentiate(const unsigned int      i,
+                                    const MasterPatch<dim> &patch,
+                                    MortarDerivative<dim>  &derivative) const
+  {
+    integrals.differentiate(nodes[i],
+                            averages[i],
+                            faces,
+                            current->segments,
+                            over_faces,
+                            patch,
+                            derivative);
+  }
+
+
+
+  template <int dim>
+  void
+  MortarSurface<dim>::relocate(const MasterPatch<dim> &patch)
+  {
+    const auto relocated = [&patch](const PairingPointer &pairing) {
+      const auto copy = std::make_shared<MortarPairing<dim>>(*pairing);
+      for (FaceSegments<dim> &segments : copy->segments)
+        segments = relocated_segments(segments, patch);
+      return copy;
+    };
+    remembered = relocated(remembered);
+    accepted   = relocated(accepted);
+  }
+
+  template class MortarSurface<2>;
+  template class MortarSurface<3>;
+} // namespace stickslip

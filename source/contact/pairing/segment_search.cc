@@ -1,0 +1,268 @@
+#include <stickslip/contact/pairing/segment_search.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// A master face looks at a slave face if the cosine of the angle between
+    /// the slave's outward normal and the normal into the master is larger.
+    constexpr double least_cosine = 0.1;
+
+    /// Projections of two master faces that share less than this fraction of
+    /// the slave face do not lie behind each other.
+    constexpr double no_overlap = 1e-6;
+
+
+
+    /// A slave face is covered if no more than this fraction is not.
+    constexpr double no_gap = 1e-9;
+
+
+
+    /// A master face above or below a slave face.
+    template <int dim>
+    struct Candidate
+    {
+      unsigned int                   master = 0;
+      ProjectedFace<dim>             projected;
+      std::vector<SegmentPoint<dim>> points;
+      double                         area     = 0.; ///< undeformed
+      double                         distance = 0.; ///< mean, without sign
+    };
+
+
+
+    template <int dim>
+    Tensor<1, dim>
+    position(const FaceShape<dim>              &shape,
+             const Point<dim - 1>              &xi,
+             const std::vector<Tensor<1, dim>> &nodes)
+    {
+      std::vector<double> N;
+      shape.evaluate_values(xi, N);
+      Tensor<1, dim> x;
+      for (unsigned int k = 0; k < N.size(); ++k)
+        x += N[k] * nodes[k];
+      return x;
+    }
+
+
+
+    template <int dim>
+    void
+    measure_candidate(const MortarFace<dim>             &slave,
+                      const FaceShape<dim>              &shape,
+                      const Tensor<1, dim>              &n,
+                      const std::vector<Tensor<1, dim>> &master,
+                      Candidate<dim>                    &candidate)
+    {
+      for (const auto &point : candidate.points)
+        {
+          candidate.area += point.weight;
+          candidate.distance += point.weight *
+                                (position(shape, point.eta, master) -
+                                 position(shape, point.xi, slave.positions)) *
+                                n;
+        }
+      candidate.distance = std::abs(candidate.distance) / candidate.area;
+    }
+
+
+
+    /// True if, above the slave face, the projections @p a and @p b overlap.
+    template <int dim>
+    bool
+    overlap(const ProjectedFace<dim> &slave,
+            const ProjectedFace<dim> &a,
+            const ProjectedFace<dim> &b)
+    {
+      double common = 0., whole = 0.;
+      for (const auto &cell : slave.cells)
+        {
+          whole += measure<dim - 1>(cell);
+          for (const auto &cell_a : a.cells)
+            for (const auto &cell_b : b.cells)
+              common += measure<dim - 1>(
+                intersection<dim - 1>(intersection<dim - 1>(cell, cell_a),
+                                      cell_b));
+        }
+      return common > no_overlap * whole;
+    }
+
+
+
+    /// Of candidates that lie behind each other only the nearest is a partner.
+    template <int dim>
+    void
+    drop_hidden(const ProjectedFace<dim>    &slave,
+                std::vector<Candidate<dim>> &candidates)
+    {
+      std::stable_sort(candidates.begin(),
+                       candidates.end(),
+                       [](const auto &a, const auto &b) {
+                         return a.distance < b.distance;
+                       });
+      std::vector<Candidate<dim>> kept;
+      for (const auto &candidate : candidates)
+        if (std::none_of(kept.begin(), kept.end(), [&](const auto &nearer) {
+              return overlap(slave, nearer.projected, candidate.projected);
+            }))
+          kept.push_back(candidate);
+      std::sort(kept.begin(), kept.end(), [](const auto &a, const auto &b) {
+        return a.master < b.master;
+      });
+      candidates.swap(kept);
+    }
+    /// An edge between neighbouring nodes of master faces.
+    using Edge = std::pair<types::global_dof_index, types::global_dof_index>;
+
+
+
+    /// Edges (2D: nodes) of cell @p j of a face, as add_ends() counts them.
+    template <int dim>
+    std::vector<Edge>
+    edges_of(const SurfaceFace<dim>   &face,
+             const ProjectedFace<dim> &projected,
+             const unsigned int        j)
+    {
+      const auto       &corners = projected.corners[j];
+      std::vector<Edge> edges;
+      for (unsigned int i = 0; i < corners.size(); ++i)
+        {
+          const auto a = face.dofs[corners[i] * dim];
+          const auto b =
+            dim == 2 ? a : face.dofs[corners[(i + 1) % corners.size()] * dim];
+          edges.emplace_back(std::min(a, b), std::max(a, b));
+        }
+      return edges;
+    }
+
+
+
+    /// True where nothing continues the master surface beyond the edges of the
+    /// cells of @p candidate (SegmentRule::add_ends()). Curved faces meet their
+    /// neighbours on the straight line between nodes only nearly: all their
+    /// borders count.
+    template <int dim>
+    std::vector<std::vector<bool>>
+    ends_of(const Candidate<dim>               &candidate,
+            const SurfaceFace<dim>             &face,
+            const std::map<Edge, unsigned int> &n_cells)
+    {
+      const bool is_curved = dim == 3 && candidate.projected.cells.size() > 1;
+      std::map<Edge, unsigned int> n_own_cells;
+      for (unsigned int j = 0; j < candidate.projected.cells.size(); ++j)
+        for (const Edge &edge : edges_of(face, candidate.projected, j))
+          ++n_own_cells[edge];
+      std::vector<std::vector<bool>> is_end(candidate.projected.cells.size());
+      for (unsigned int j = 0; j < is_end.size(); ++j)
+        for (const Edge &edge : edges_of(face, candidate.projected, j))
+          is_end[j].push_back(is_curved ? n_own_cells.at(edge) == 1
+                                        : n_cells.at(edge) == 1);
+      return is_end;
+    }
+
+
+
+    /// The borders of the segments that move over the slave face without a
+    /// neighbour that moves alike.
+    template <int dim>
+    void
+    add_ends(const MortarFace<dim>             &slave,
+             const SegmentRule<dim>            &rule,
+             const ProjectionPlane<dim>        &plane,
+             const ProjectedFace<dim>          &projected,
+             const std::vector<Candidate<dim>> &candidates,
+             const MasterPatch<dim>            &patch,
+             FaceSegments<dim>                 &segments)
+    {
+      std::map<Edge, unsigned int> n_cells;
+      for (const auto &candidate : candidates)
+        for (unsigned int j = 0; j < candidate.projected.cells.size(); ++j)
+          for (const Edge &edge :
+               edges_of(patch.face(candidate.master), candidate.projected, j))
+            ++n_cells[edge];
+      for (unsigned int i = 0; i < candidates.size(); ++i)
+        rule.add_ends(plane,
+                      {slave.positions, projected},
+                      slave.face.reference_positions,
+                      {patch.configuration(candidates[i].master).positions,
+                       candidates[i].projected},
+                      ends_of(candidates[i],
+                              patch.face(candidates[i].master),
+                              n_cells),
+                      i,
+                      segments.ends);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  FaceSegments<dim>
+  find_segments(const MortarFace<dim>  &slave,
+                const SegmentRule<dim> &rule,
+                const MasterPatch<dim> &patch)
+  {
+    const FaceShape<dim> &shape = rule.face_shape();
+    const auto plane     = projection_plane(slave.face, shape, slave.positions);
+    const auto projected = project(shape, slave.positions, plane);
+
+    std::vector<Candidate<dim>> candidates;
+    double                      covered = 0.;
+    for (const unsigned int m : patch.faces_near(slave.positions))
+      {
+        const auto &nodes  = patch.configuration(m).positions;
+        const auto  master = projection_plane(patch.face(m), shape, nodes);
+        if (-(master.n * plane.n) <= least_cosine)
+          continue;
+        Candidate<dim> candidate;
+        candidate.master    = m;
+        candidate.projected = project(shape, nodes, plane);
+        rule.add_points(plane,
+                        {slave.positions, projected},
+                        slave.face.reference_positions,
+                        {nodes, candidate.projected},
+                        0,
+                        candidate.points);
+        if (candidate.points.empty())
+          continue;
+        measure_candidate(slave, shape, plane.n, nodes, candidate);
+        if (candidate.distance > patch.search_distance())
+          continue;
+        covered += candidate.area;
+        candidates.push_back(candidate);
+      }
+    if (covered > (1. + no_overlap) * slave.area)
+      drop_hidden(projected, candidates);
+
+    FaceSegments<dim> segments;
+    const bool        is_curved = dim == 3 && shape.degree() > 1;
+    if (covered < (1. - no_gap) * slave.area || is_curved)
+      add_ends(slave, rule, plane, projected, candidates, patch, segments);
+    for (auto &candidate : candidates)
+      {
+        for (auto &point : candidate.points)
+          {
+            point.master = segments.masters.size();
+            segments.points.push_back(point);
+          }
+        segments.masters.push_back(candidate.master);
+        segments.master_ids.push_back(patch.face(candidate.master).id);
+      }
+    return segments;
+  }
+
+#define INSTANTIATE(dim)                                             \
+  template FaceSegments<dim> find_segments(const MortarFace<dim> &,  \
+                                           const SegmentRule<dim> &, \
+                                           const MasterPatch<dim> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace stickslip

@@ -1,0 +1,454 @@
+#include <stickslip/contact/surface/mortar_segments.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// Segments below this fraction of the slave's cell are roundoff.
+    constexpr double negligible_segment = 1e-12;
+
+
+
+    /// Points per direction that are exact for products of two shape functions:
+    /// they have degree 2 p along a line, and 4 p in a plane.
+    template <int dim>
+    unsigned int
+    exact_order(const FaceShape<dim> &shape)
+    {
+      return dim == 2 ? shape.degree() + 1 : 2 * shape.degree() + 1;
+    }
+
+
+
+    template <int dim>
+    Quadrature<dim - 1>
+    simplex_quadrature(const unsigned int order, const unsigned int wanted)
+    {
+      constexpr unsigned int largest = 7; // that deal.II has for triangles
+      if constexpr (dim == 2)
+        return QGauss<1>(std::max(order, wanted));
+      else
+        return QWitherdenVincentSimplex<2>(
+          std::min(largest, std::max(order, wanted)));
+    }
+
+
+
+    /// True for intervals and parallelograms.
+    template <int facedim>
+    bool
+    is_parallelogram(const ConvexCell<facedim> &cell)
+    {
+      constexpr double tolerance = 1e-9; // of a diagonal
+      if constexpr (facedim == 1)
+        return true;
+      else
+        return ((cell[0] - cell[1]) + (cell[2] - cell[3])).norm() <
+               tolerance * (cell[2] - cell[0]).norm();
+    }
+
+
+
+    /// A unit vector normal to @p n, by a rule that depends on n alone.
+    Tensor<1, 3>
+    tangent_to(const Tensor<1, 3> &n)
+    {
+      unsigned int smallest = 0;
+      for (unsigned int c = 1; c < 3; ++c)
+        if (std::abs(n[c]) < std::abs(n[smallest]))
+          smallest = c;
+      Tensor<1, 3> axis;
+      axis[smallest]       = 1.;
+      const Tensor<1, 3> t = axis - (axis * n) * n;
+      return t / t.norm();
+    }
+
+
+
+    /// Numbers of the corner nodes of the cells between nodes of a face.
+    template <int dim>
+    std::vector<std::vector<unsigned int>>
+    cells_between_nodes(const unsigned int degree)
+    {
+      std::vector<std::vector<unsigned int>> cells;
+      const unsigned int                     n = degree + 1;
+      if constexpr (dim == 2)
+        for (unsigned int i = 0; i < degree; ++i)
+          cells.push_back({i, i + 1});
+      else
+        for (unsigned int j = 0; j < degree; ++j)
+          for (unsigned int i = 0; i < degree; ++i)
+            cells.push_back(
+              {j * n + i, j * n + i + 1, (j + 1) * n + i + 1, (j + 1) * n + i});
+      return cells;
+    }
+
+
+
+    template <int facedim>
+    bool
+    boxes_meet(const Point<facedim> &low_a,
+               const Point<facedim> &high_a,
+               const Point<facedim> &low_b,
+               const Point<facedim> &high_b)
+    {
+      for (unsigned int d = 0; d < facedim; ++d)
+        if (low_a[d] >= high_b[d] || low_b[d] >= high_a[d])
+          return false;
+      return true;
+    }
+    /// True if @p p lies on the edge of @p cell from corner @p i on.
+    template <int facedim>
+    bool
+    is_on_edge(const Point<facedim>      &p,
+               const ConvexCell<facedim> &cell,
+               const unsigned int         i)
+    {
+      constexpr double tolerance = 1e-10; // of the length of the edge
+      if constexpr (facedim == 1)
+        return std::abs(p[0] - cell[i][0]) <
+               tolerance * std::abs(cell[1][0] - cell[0][0]);
+      else
+        {
+          const Tensor<1, 2> edge = cell[(i + 1) % cell.size()] - cell[i];
+          const Tensor<1, 2> way  = p - cell[i];
+          return std::abs(edge[0] * way[1] - edge[1] * way[0]) <
+                 tolerance * edge.norm_square();
+        }
+    }
+
+
+
+    /// An edge of a polygon (2D: an end of an interval), from the inside.
+    template <int facedim>
+    struct Border
+    {
+      Point<facedim>     begin;
+      Tensor<1, facedim> way; ///< to its end; zero in 2D
+      Tensor<1, facedim> outward;
+
+      Point<facedim>
+      at(const double s) const
+      {
+        return begin + s * way;
+      }
+    };
+
+
+
+    template <int facedim>
+    std::vector<Border<facedim>>
+    borders_of(const ConvexCell<facedim> &cell)
+    {
+      std::vector<Border<facedim>> borders;
+      Point<facedim>               inside;
+      for (const auto &corner : cell)
+        inside += Tensor<1, facedim>(corner) / static_cast<double>(cell.size());
+      for (unsigned int i = 0; i < cell.size(); ++i)
+        {
+          Border<facedim> border;
+          border.begin = cell[i];
+          if constexpr (facedim == 2)
+            {
+              border.way     = cell[(i + 1) % cell.size()] - cell[i];
+              border.outward = Tensor<1, 2>({border.way[1], -border.way[0]});
+            }
+          else
+            border.outward[0] = 1.;
+          if (border.outward.norm() == 0.)
+            continue;
+          border.outward /= border.outward.norm();
+          if (border.outward * (border.at(0.5) - inside) < 0.)
+            border.outward *= -1.;
+          borders.push_back(border);
+        }
+      return borders;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  ProjectionPlane<dim>
+  projection_plane(const SurfaceFace<dim>            &slave,
+                   const FaceShape<dim>              &shape,
+                   const std::vector<Tensor<1, dim>> &positions)
+  {
+    Point<dim - 1> centre;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      centre[d] = 0.5;
+    FaceShapeValues<dim> values;
+    shape.evaluate(centre, values);
+    const auto a = surface_tangents<dim>(values.gradient, positions);
+
+    ProjectionPlane<dim> plane;
+    for (unsigned int j = 0; j < positions.size(); ++j)
+      plane.origin += values.value[j] * positions[j];
+    plane.n = -slave.orientation * surface_normal<dim>(a);
+    plane.n /= plane.n.norm();
+    if constexpr (dim == 2)
+      plane.e[0] = Tensor<1, 2>({-plane.n[1], plane.n[0]});
+    else
+      {
+        plane.e[0] = tangent_to(plane.n);
+        plane.e[1] = cross_product_3d(plane.n, plane.e[0]);
+      }
+    return plane;
+  }
+
+
+
+  template <int dim>
+  ProjectedFace<dim>
+  project(const FaceShape<dim>              &shape,
+          const std::vector<Tensor<1, dim>> &positions,
+          const ProjectionPlane<dim>        &plane)
+  {
+    std::vector<Point<dim - 1>> nodes;
+    for (unsigned int j = 0; j < shape.n_nodes(); ++j)
+      nodes.push_back(plane.coordinates(positions[j]));
+
+    ProjectedFace<dim> face;
+    face.low = face.high = nodes[0];
+    for (const auto &p : nodes)
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        {
+          face.low[d]  = std::min(face.low[d], p[d]);
+          face.high[d] = std::max(face.high[d], p[d]);
+        }
+    face.corners = cells_between_nodes<dim>(shape.degree());
+    for (const auto &corners : face.corners)
+      {
+        face.cells.emplace_back();
+        Point<dim - 1> centre;
+        for (const unsigned int j : corners)
+          {
+            face.cells.back().push_back(nodes[j]);
+            centre += Tensor<1, dim - 1>(shape.node(j)) /
+                      static_cast<double>(corners.size());
+          }
+        face.centres.push_back(centre);
+      }
+    return face;
+  }
+
+
+
+  template <int dim>
+  SegmentRule<dim>::SegmentRule(const FaceShape<dim> &shape,
+                                const unsigned int    order)
+    : shape(shape)
+    , exact_rule(simplex_quadrature<dim>(exact_order<dim>(shape), order))
+    , other_rule(simplex_quadrature<dim>(exact_order<dim>(shape) + 2, order))
+    , edge_rule(QGauss<dim - 2>(2 * shape.degree() + 1))
+  {}
+
+
+
+  template <int dim>
+  bool
+  SegmentRule<dim>::find_above(const Point<dim - 1>              &p,
+                               const ProjectionPlane<dim>        &plane,
+                               const std::vector<Tensor<1, dim>> &positions,
+                               Point<dim - 1>                    &xi,
+                               FaceShapeValues<dim>              &values,
+                               double &area_ratio) const
+  {
+    constexpr unsigned int most_iterations = 20;
+    for (unsigned int iteration = 0; iteration < most_iterations; ++iteration)
+      {
+        shape.evaluate(xi, values);
+        Tensor<1, dim> x;
+        for (unsigned int j = 0; j < values.value.size(); ++j)
+          x += values.value[j] * positions[j];
+        const auto a = surface_tangents<dim>(values.gradient, positions);
+        Tensor<2, dim - 1> jacobian;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          for (unsigned int c = 0; c < dim - 1; ++c)
+            jacobian[d][c] = plane.e[d] * a[c];
+        area_ratio = std::abs(determinant(jacobian));
+        if (area_ratio == 0.)
+          return false;
+        const Tensor<1, dim - 1> step =
+          invert(jacobian) * (p - plane.coordinates(x));
+        xi += step;
+        if (step.norm() < 1e-13)
+          return true;
+        if (step.norm() > 1e3)
+          return false;
+      }
+    return false;
+  }
+
+
+
+  template <int dim>
+  void
+  SegmentRule<dim>::add_points(const ProjectionPlane<dim>     &plane,
+                               const Side                     &slave,
+                               const std::vector<Point<dim>>  &reference,
+                               const Side                     &opposite,
+                               const unsigned int              master,
+                               std::vector<SegmentPoint<dim>> &points) const
+  {
+    if (!boxes_meet(slave.projected.low,
+                    slave.projected.high,
+                    opposite.projected.low,
+                    opposite.projected.high))
+      return;
+    const std::vector<Tensor<1, dim>> undeformed(reference.begin(),
+                                                 reference.begin() +
+                                                   shape.n_nodes());
+    FaceShapeValues<dim>              values;
+    double                            area_ratio;
+    for (unsigned int i = 0; i < slave.projected.cells.size(); ++i)
+      for (unsigned int j = 0; j < opposite.projected.cells.size(); ++j)
+        {
+          const auto &cell  = slave.projected.cells[i];
+          const auto &other = opposite.projected.cells[j];
+          const auto &quadrature =
+            is_parallelogram<dim - 1>(cell) && is_parallelogram<dim - 1>(other)
+              ? exact_rule
+              : other_rule;
+          const double smallest = negligible_segment * measure<dim - 1>(cell);
+          for (const auto &simplex :
+               simplices<dim - 1>(intersection<dim - 1>(cell, other)))
+            {
+              const double area = measure<dim - 1>(simplex);
+              if (area <= smallest)
+                continue;
+              // the rule is for a simplex of measure 1 / (dim-1)!
+              const double scale = (dim == 3 ? 2. : 1.) * area;
+              for (unsigned int q = 0; q < quadrature.size(); ++q)
+                {
+                  Point<dim - 1> p = simplex[0];
+                  for (unsigned int d = 0; d < dim - 1; ++d)
+                    p += quadrature.point(q)[d] * (simplex[d + 1] - simplex[0]);
+                  SegmentPoint<dim> point;
+                  point.master = master;
+                  point.eta    = opposite.projected.centres[j];
+                  point.xi     = slave.projected.centres[i];
+                  if (!find_above(p,
+                                  plane,
+                                  opposite.positions,
+                                  point.eta,
+                                  values,
+                                  area_ratio) ||
+                      !find_above(p,
+                                  plane,
+                                  slave.positions,
+                                  point.xi,
+                                  values,
+                                  area_ratio))
+                    continue;
+                  const double undeformed_area =
+                    surface_normal<dim>(
+                      surface_tangents<dim>(values.gradient, undeformed))
+                      .norm();
+                  point.weight =
+                    quadrature.weight(q) * scale * undeformed_area / area_ratio;
+                  points.push_back(point);
+                }
+            }
+        }
+  }
+
+
+
+  template <int dim>
+  void
+  SegmentRule<dim>::add_ends(const ProjectionPlane<dim>           &plane,
+                             const Side                           &slave,
+                             const std::vector<Point<dim>>        &reference,
+                             const Side                           &opposite,
+                             const std::vector<std::vector<bool>> &is_end,
+                             const unsigned int                    master,
+                             std::vector<SegmentEnd<dim>>         &ends) const
+  {
+    const auto lies_on =
+      [](const Border<dim - 1> &border, const auto &cell, const unsigned i) {
+        return is_on_edge<dim - 1>(border.at(0.), cell, i) &&
+               is_on_edge<dim - 1>(border.at(1.), cell, i);
+      };
+    const std::vector<Tensor<1, dim>> undeformed(reference.begin(),
+                                                 reference.begin() +
+                                                   shape.n_nodes());
+    FaceShapeValues<dim>              values;
+    double                            area_ratio;
+    for (unsigned int c = 0; c < slave.projected.cells.size(); ++c)
+      for (unsigned int j = 0; j < opposite.projected.cells.size(); ++j)
+        {
+          const auto &slave_cell  = slave.projected.cells[c];
+          const auto &master_cell = opposite.projected.cells[j];
+          for (const auto &border : borders_of<dim - 1>(
+                 intersection<dim - 1>(slave_cell, master_cell)))
+            {
+              unsigned int edge = numbers::invalid_unsigned_int;
+              for (unsigned int i = 0; i < master_cell.size(); ++i)
+                if (is_end[j][i] && lies_on(border, master_cell, i))
+                  edge = i;
+              for (unsigned int i = 0; i < slave_cell.size(); ++i)
+                if (lies_on(border, slave_cell, i))
+                  edge = numbers::invalid_unsigned_int;
+              if (edge == numbers::invalid_unsigned_int)
+                continue;
+              const unsigned int next = (edge + 1) % master_cell.size();
+              for (unsigned int q = 0; q < edge_rule.size(); ++q)
+                {
+                  Point<dim - 1> p      = border.begin;
+                  double         length = 1.;
+                  if constexpr (dim == 3)
+                    {
+                      p      = border.at(edge_rule.point(q)[0]);
+                      length = border.way.norm();
+                    }
+                  SegmentEnd<dim> end;
+                  end.master = master;
+                  end.nodes  = {{opposite.projected.corners[j][edge],
+                                 opposite.projected.corners[j][next]}};
+                  if constexpr (dim == 3)
+                    end.share = (p - master_cell[edge]).norm() /
+                                (master_cell[next] - master_cell[edge]).norm();
+                  end.eta = opposite.projected.centres[j];
+                  end.xi  = slave.projected.centres[c];
+                  for (unsigned int d = 0; d < dim - 1; ++d)
+                    end.outward += border.outward[d] * plane.e[d];
+                  if (!find_above(p,
+                                  plane,
+                                  opposite.positions,
+                                  end.eta,
+                                  values,
+                                  area_ratio) ||
+                      !find_above(
+                        p, plane, slave.positions, end.xi, values, area_ratio))
+                    continue;
+                  end.weight =
+                    edge_rule.weight(q) * length *
+                    surface_normal<dim>(
+                      surface_tangents<dim>(values.gradient, undeformed))
+                      .norm() /
+                    area_ratio;
+                  ends.push_back(end);
+                }
+            }
+        }
+  }
+
+#define INSTANTIATE(dim)                                                   \
+  template ProjectionPlane<dim> projection_plane(                          \
+    const SurfaceFace<dim> &,                                              \
+    const FaceShape<dim> &,                                                \
+    const std::vector<Tensor<1, dim>> &);                                  \
+  template ProjectedFace<dim> project(const FaceShape<dim> &,              \
+                                      const std::vector<Tensor<1, dim>> &, \
+                                      const ProjectionPlane<dim> &);       \
+  template class SegmentRule<dim>;
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace stickslip
