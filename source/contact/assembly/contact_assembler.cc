@@ -148,31 +148,6 @@ namespace stickslip
 
 
   template <int dim>
-  std::vector<double>
-  ContactAssembler<dim>::relative_shape(
-    const ContactPair<dim>       &pair,
-    const ContactPoint<dim>      &point,
-    const ContactEvaluation<dim> &state) const
-  {
-    std::vector<double> shape;
-    if (pair.mortar)
-      {
-        const auto &average = pair.mortar->average(point.geometry.mortar_node);
-        for (const double D : average.D)
-          shape.push_back(D / average.area);
-        for (const double M : average.M)
-          shape.push_back(-M / average.area);
-        return shape;
-      }
-    shape = pair.table.displacement[point.geometry.quadrature_index].value;
-    for (const double N : state.master.shape.value)
-      shape.push_back(-N);
-    return shape;
-  }
-
-
-
-  template <int dim>
   void
   ContactAssembler<dim>::evaluate_local_residual(
     const ContactPair<dim>       &pair,

@@ -31,36 +31,59 @@ namespace stickslip
     {
       std::map<types::global_dof_index, Tensor<1, dim>> free;
       Tensor<1, dim>                                    prescribed;
+      Tensor<1, dim>                                    so_far; ///< in the step
     };
 
 
 
+    /// Of the point itself, not of the average around a mortar node: on a
+    /// symmetry plane it is the point that has no motion across the plane,
+    /// while the average lacks the other half.
     template <int dim>
     RelativeMotion<dim>
-    relative_motion(const ContactAssembler<dim>  &contact,
-                    const ContactPair<dim>       &pair,
-                    const ContactPoint<dim>      &point,
-                    const ContactEvaluation<dim> &state,
-                    const Constraints            &constraints)
+    relative_motion(const ContactPair<dim>  &pair,
+                    const ContactPoint<dim> &point,
+                    const Constraints       &constraints)
     {
       RelativeMotion<dim> motion;
-      const auto          dofs  = contact.point_dofs(pair, point);
-      const auto          shape = contact.relative_shape(pair, point, state);
-      for (unsigned int j = 0; j < shape.size(); ++j)
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            const auto dof = dofs[j * dim + c];
-            if (!constraints.is_constrained(dof))
-              motion.free[dof][c] += shape[j];
-            else
-              {
-                for (const auto &[other, weight] :
-                     *constraints.get_constraint_entries(dof))
-                  motion.free[other][c] += shape[j] * weight;
-                motion.prescribed[c] +=
-                  shape[j] * constraints.get_inhomogeneity(dof);
-              }
-          }
+      const auto add = [&](const std::vector<types::global_dof_index> &dofs,
+                           const std::vector<double>                  &shape,
+                           const double                                sign) {
+        for (unsigned int j = 0; j < shape.size(); ++j)
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              const auto   dof   = dofs[j * dim + c];
+              const double value = sign * shape[j];
+              if (!constraints.is_constrained(dof))
+                motion.free[dof][c] += value;
+              else
+                {
+                  for (const auto &[other, weight] :
+                       *constraints.get_constraint_entries(dof))
+                    motion.free[other][c] += value * weight;
+                  motion.prescribed[c] +=
+                    value * constraints.get_inhomogeneity(dof);
+                }
+            }
+      };
+      add(pair.slave_faces[point.geometry.slave_face].face.dofs,
+          pair.table.displacement[point.geometry.quadrature_index].value,
+          1.);
+      const SlavePosition<dim> slave = pair.slave_position(point);
+      motion.so_far                  = slave.x - slave.x_old;
+      const Pairing<dim> pairing =
+        pair.mortar ? pair.find_pairing(point) : point.pairing;
+      std::vector<double> master_shape;
+      if (pairing.paired)
+        {
+          pair.patch->face_shape().evaluate_values(pairing.xi, master_shape);
+          add(pair.patch->face(pairing.face).dofs, master_shape, -1.);
+          const auto &now = pair.patch->configuration(pairing.face).positions;
+          const auto &old =
+            pair.patch->old_configuration(pairing.face).positions;
+          for (unsigned int j = 0; j < master_shape.size(); ++j)
+            motion.so_far -= master_shape[j] * (now[j] - old[j]);
+        }
       return motion;
     }
 
@@ -102,18 +125,15 @@ namespace stickslip
     /// Squares of the motion that free unknowns, or the step, give the point.
     template <int dim>
     SymmetricTensor<2, dim>
-    mobility(const ContactAssembler<dim>  &contact,
-             const ContactPair<dim>       &pair,
-             const ContactPoint<dim>      &point,
-             const ContactEvaluation<dim> &state,
-             const Constraints            &constraints)
+    mobility(const ContactPair<dim>  &pair,
+             const ContactPoint<dim> &point,
+             const Constraints       &constraints)
     {
-      const auto motion =
-        relative_motion(contact, pair, point, state, constraints);
+      const auto motion = relative_motion(pair, point, constraints);
       SymmetricTensor<2, dim> K;
       for (const auto &[dof, value] : motion.free)
         K += symmetrize(outer_product(value, value));
-      const Tensor<1, dim> w = state.kinematics.motion + motion.prescribed;
+      const Tensor<1, dim> w = motion.so_far + motion.prescribed;
       Tensor<1, dim>       driven;
       for (const auto &h : null_directions(K, no_mobility * no_mobility))
         driven += (h * w) * h;
@@ -179,11 +199,7 @@ namespace stickslip
           const SymmetricTensor<2, dim> K =
             moves_freely(pair, point, constraints)
               ? unit_symmetric_tensor<dim>()
-              : mobility(contact,
-                         pair,
-                         point,
-                         contact.evaluate(pair, point),
-                         constraints);
+              : mobility(pair, point, constraints);
           const auto &dofs =
             pair.slave_faces[point.geometry.slave_face].multiplier_dofs;
           const auto &L =

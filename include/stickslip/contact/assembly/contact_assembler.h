@@ -85,13 +85,6 @@ namespace stickslip
     point_dofs(const ContactPair<dim>  &pair,
                const ContactPoint<dim> &point) const;
 
-    /// How the point's relative displacement depends on those of the nodes, per
-    /// node of point_dofs(). Needs a paired point, and the last evaluation.
-    std::vector<double>
-    relative_shape(const ContactPair<dim>       &pair,
-                   const ContactPoint<dim>      &point,
-                   const ContactEvaluation<dim> &state) const;
-
     /// Adds the step's slip to the points' history and keeps the pairing.
     void
     accept_step();
