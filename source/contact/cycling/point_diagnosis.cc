@@ -34,7 +34,7 @@ namespace stickslip
       if (!point.pairing.paired)
         return result;
       result.gap   = -state.kinematics.d_n;
-      result.facet = name_of_face(point.pairing.face_id);
+      result.facet = name_of_face(pair.patch->face(point.pairing.face).id);
       if (state.status.closed)
         result.pressure = state.response.traction * state.kinematics.n;
       if (pair.parameters.has_friction())

@@ -138,8 +138,6 @@ namespace stickslip
                                                     slave_faces,
                                                     excluded,
                                                     points);
-    positions.resize(slave_faces.size());
-    old_positions.resize(slave_faces.size());
   }
 
 
@@ -191,49 +189,38 @@ namespace stickslip
   bool
   ContactPair<dim>::update_patch(const LA::Vector &u, const bool force)
   {
-    const auto read_all = [&u](const auto &faces, auto &all_positions) {
-      all_positions.resize(faces.size());
-      for (unsigned int f = 0; f < faces.size(); ++f)
-        read_positions(faces[f], faces[f].n_nodes, u, all_positions[f]);
-    };
-    std::vector<SurfaceFace<dim>> slaves;
-    if (mortar)
-      for (const auto &slave : mortar->mortar_faces())
-        slaves.push_back(slave.face);
-    else
-      for (const auto &slave : slave_faces)
-        slaves.push_back(slave.face);
-    std::vector<std::vector<Tensor<1, dim>>> slave_now, master_now;
-    read_all(slaves, slave_now);
-    read_all(patch->owned_faces(), master_now);
-
-    double     motion  = force ? 2. * margin : 0.;
-    const auto compare = [&motion](const auto &now, const auto &before) {
-      for (unsigned int f = 0; f < before.size(); ++f)
-        for (unsigned int j = 0; j < before[f].size(); ++j)
-          motion = std::max(motion, (now[f][j] - before[f][j]).norm());
-    };
-    compare(slave_now, positions_at_fetch);
-    compare(master_now, master_positions_at_fetch);
-    if (Utilities::MPI::max(motion, communicator) <= 0.5 * margin)
+    slave_nodes.read(searching_faces(), u);
+    master_nodes.read(patch->owned_faces(), u);
+    const double motion =
+      std::max(slave_nodes.largest_motion(), master_nodes.largest_motion());
+    if (!force && Utilities::MPI::max(motion, communicator) <= 0.5 * margin)
       return false;
 
-    std::vector<BoundingBox<dim>> boxes;
-    for (const auto &face_nodes : slave_now)
-      {
-        const std::vector<Point<dim>> corners(face_nodes.begin(),
-                                              face_nodes.end());
-        boxes.emplace_back(corners);
-      }
-    patch->fetch(boxes, u, margin);
+    patch->fetch(slave_nodes.boxes(), u, margin);
     for (auto &point : points)
       point.hysteresis.relocate(
         [this](Pairing<dim> &pairing) { patch->relocate(pairing); });
     if (mortar)
       mortar->relocate(*patch);
-    positions_at_fetch        = slave_now;
-    master_positions_at_fetch = master_now;
+    slave_nodes.remember();
+    master_nodes.remember();
     return true;
+  }
+
+
+
+  template <int dim>
+  std::vector<SurfaceFace<dim>>
+  ContactPair<dim>::searching_faces() const
+  {
+    std::vector<SurfaceFace<dim>> faces;
+    if (mortar)
+      for (const auto &slave : mortar->mortar_faces())
+        faces.push_back(slave.face);
+    else
+      for (const auto &slave : slave_faces)
+        faces.push_back(slave.face);
+    return faces;
   }
 
 
@@ -266,12 +253,7 @@ namespace stickslip
   ContactPair<dim>::update_configuration(const LA::Vector &u,
                                          const LA::Vector &u_old)
   {
-    for (unsigned int f = 0; f < slave_faces.size(); ++f)
-      {
-        const SurfaceFace<dim> &face = slave_faces[f].face;
-        read_positions(face, face.n_nodes, u, positions[f]);
-        read_positions(face, face.n_nodes, u_old, old_positions[f]);
-      }
+    slave_configuration.update(slave_faces, u, u_old);
     patch->update(u, u_old);
     if (mortar)
       mortar->update_configuration(u, u_old);
@@ -283,12 +265,8 @@ namespace stickslip
   Pairing<dim>
   ContactPair<dim>::find_pairing(const ContactPoint<dim> &point) const
   {
-    const auto    &nodes = positions[point.geometry.slave_face];
-    Tensor<1, dim> outward =
-      -slave_faces[point.geometry.slave_face].face.orientation *
-      surface_normal<dim>(surface_tangents<dim>(
-        table.displacement[point.geometry.quadrature_index].gradient, nodes));
-    outward /= outward.norm();
+    const Tensor<1, dim> outward =
+      slave_configuration.normal(slave_faces, table, point);
     const SlavePosition<dim> slave   = slave_position(point);
     Pairing<dim>             pairing = patch->find(slave.x,
                                        outward,
@@ -307,25 +285,6 @@ namespace stickslip
   {
     Pairing<dim> pairing = point.hysteresis.last();
     pairing.paired       = pairing.paired && patch->contains(pairing);
-    return pairing;
-  }
-
-
-
-  template <int dim>
-  Pairing<dim>
-  ContactPair<dim>::mortar_pairing(const ContactPoint<dim> &point) const
-  {
-    const unsigned int        i       = point.geometry.mortar_node;
-    const MortarAverage<dim> &average = mortar->average(i);
-    Pairing<dim>              pairing;
-    pairing.paired = average.paired;
-    if (!pairing.paired)
-      return pairing;
-    pairing.face = average.main_master;
-    pairing.n    = mortar->frame(i).n;
-    pairing.tau  = mortar->frame(i).tau;
-    pairing.free.fill(true);
     return pairing;
   }
 
@@ -368,8 +327,9 @@ namespace stickslip
     if (mortar)
       mortar->use(pairings.segments, *patch);
     for (unsigned int i = 0; i < points.size(); ++i)
-      points[i].pairing =
-        mortar ? mortar_pairing(points[i]) : pairings.points[i];
+      points[i].pairing = mortar
+                            ? mortar->pairing_of(points[i].geometry.mortar_node)
+                            : pairings.points[i];
   }
 
 
@@ -423,43 +383,6 @@ namespace stickslip
   }
 
 
-
-  template <int dim>
-  SlavePosition<dim>
-  ContactPair<dim>::slave_position(const ContactPoint<dim> &point) const
-  {
-    SlavePosition<dim> slave;
-    const auto        &value =
-      table.displacement[point.geometry.quadrature_index].value;
-    const auto &now = positions[point.geometry.slave_face];
-    const auto &old = old_positions[point.geometry.slave_face];
-    for (unsigned int j = 0; j < now.size(); ++j)
-      {
-        slave.x += value[j] * now[j];
-        slave.x_old += value[j] * old[j];
-        slave.direction += point.geometry.direction_gradients[j] * now[j];
-      }
-    slave.gap_offset = point.gap_offset;
-    return slave;
-  }
-
-
-
-  template <int dim>
-  double
-  ContactPair<dim>::area_ratio(const ContactPoint<dim> &point) const
-  {
-    const auto &reference =
-      slave_faces[point.geometry.slave_face].face.reference_positions;
-    std::vector<Tensor<1, dim>> nodes(reference.begin(), reference.end());
-    const auto                 &gradient =
-      table.displacement[point.geometry.quadrature_index].gradient;
-    return surface_normal<dim>(
-             surface_tangents<dim>(gradient,
-                                   positions[point.geometry.slave_face]))
-             .norm() /
-           surface_normal<dim>(surface_tangents<dim>(gradient, nodes)).norm();
-  }
 
   template class ContactPair<2>;
   template class ContactPair<3>;

@@ -61,6 +61,7 @@ namespace stickslip
     , multiplier_shape(multiplier_shape)
     , rule(displacement_shape, order)
     , integrals(displacement_shape, multiplier_shape)
+    , derivatives(displacement_shape, multiplier_shape)
   {
     collect_nodes(slaves, owned_faces, points);
     set_weightings(weighting, excluded);
@@ -282,6 +283,23 @@ namespace stickslip
 
 
   template <int dim>
+  Pairing<dim>
+  MortarSurface<dim>::pairing_of(const unsigned int i) const
+  {
+    Pairing<dim> pairing;
+    pairing.paired = averages[i].paired;
+    if (!pairing.paired)
+      return pairing;
+    pairing.face = averages[i].main_master;
+    pairing.n    = current->frames[i].n;
+    pairing.tau  = current->frames[i].tau;
+    pairing.free.fill(true);
+    return pairing;
+  }
+
+
+
+  template <int dim>
   std::vector<unsigned int>
   MortarSurface<dim>::masters_of(const unsigned int i) const
   {
@@ -300,13 +318,13 @@ namespace stickslip
                                     const MasterPatch<dim> &patch,
                                     MortarDerivative<dim>  &derivative) const
   {
-    integrals.differentiate(nodes[i],
-                            averages[i],
-                            faces,
-                            current->segments,
-                            over_faces,
-                            patch,
-                            derivative);
+    derivatives.differentiate(nodes[i],
+                              averages[i],
+                              faces,
+                              current->segments,
+                              over_faces,
+                              patch,
+                              derivative);
   }
 
 

@@ -5,6 +5,8 @@
 
 #include <stickslip/contact/pairing/master_patch.h>
 #include <stickslip/contact/pairing/mortar_surface.h>
+#include <stickslip/contact/pairing/moved_nodes.h>
+#include <stickslip/contact/pairing/slave_configuration.h>
 #include <stickslip/contact/point/contact_parameters.h>
 #include <stickslip/contact/point/contact_points.h>
 #include <stickslip/contact/surface/multiplier_numbering.h>
@@ -119,7 +121,10 @@ namespace stickslip
     restore();
 
     SlavePosition<dim>
-    slave_position(const ContactPoint<dim> &point) const;
+    slave_position(const ContactPoint<dim> &point) const
+    {
+      return slave_configuration.position(table, point);
+    }
 
     /// The slave area that the traction at a point acts on, undeformed.
     double
@@ -127,7 +132,10 @@ namespace stickslip
 
     /// Current over reference area of the slave surface at a point.
     double
-    area_ratio(const ContactPoint<dim> &point) const;
+    area_ratio(const ContactPoint<dim> &point) const
+    {
+      return slave_configuration.area_ratio(slave_faces, table, point);
+    }
 
     const ContactPairParameters         parameters;
     const std::string                   name;
@@ -142,29 +150,28 @@ namespace stickslip
     double softest_modulus        = 0.;         ///< of both sides, over ranks
     bool   has_to_hold            = false; ///< a body that nothing else holds
 
-    /// Current and old positions of the nodes of an owned slave face.
+    /// Positions of the nodes of an owned slave face.
     const std::vector<Tensor<1, dim>> &
     slave_positions(const unsigned int slave_face) const
     {
-      return positions[slave_face];
+      return slave_configuration.positions(slave_face);
     }
 
   private:
     Pairing<dim>
     last_pairing(const ContactPoint<dim> &point) const;
 
-    /// From the averages of the mortar surface.
-    Pairing<dim>
-    mortar_pairing(const ContactPoint<dim> &point) const;
+    /// The faces around which master faces are needed.
+    std::vector<SurfaceFace<dim>>
+    searching_faces() const;
 
-    SpaceTimeFunction<dim>                   gap_offset;
-    MPI_Comm                                 communicator;
-    std::set<types::global_dof_index>        excluded;
-    std::vector<std::vector<Tensor<1, dim>>> positions;
-    std::vector<std::vector<Tensor<1, dim>>> old_positions;
-    std::vector<std::vector<Tensor<1, dim>>> positions_at_fetch;
-    std::vector<std::vector<Tensor<1, dim>>> master_positions_at_fetch;
-    double                                   margin = 0.;
+    SpaceTimeFunction<dim>            gap_offset;
+    MPI_Comm                          communicator;
+    std::set<types::global_dof_index> excluded;
+    SlaveConfiguration<dim>           slave_configuration;
+    MovedNodes<dim> slave_nodes;  ///< since the patch was fetched
+    MovedNodes<dim> master_nodes; ///< likewise
+    double          margin = 0.;
   };
 } // namespace stickslip
 

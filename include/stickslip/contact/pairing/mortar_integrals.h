@@ -22,7 +22,15 @@ namespace stickslip
 
 
 
-  /// What the integrals of a pair are made with.
+  /// sum_m weighting[l][m] L_m
+  double
+  combination(const FullMatrix<double>  &weighting,
+              const unsigned int         l,
+              const std::vector<double> &L);
+
+
+
+  /// Integrals over slave faces, and the averages of nodes from them.
   template <int dim>
   class MortarIntegrals
   {
@@ -47,47 +55,10 @@ namespace stickslip
             const std::vector<FaceIntegrals<dim>> &integrals,
             const MasterPatch<dim>                &patch) const;
 
-    /// Derivative of the @p average (mortar_node.h).
-    void
-    differentiate(const MortarNode<dim>                 &node,
-                  const MortarAverage<dim>              &average,
-                  const std::vector<MortarFace<dim>>    &faces,
-                  const std::vector<FaceSegments<dim>>  &segments,
-                  const std::vector<FaceIntegrals<dim>> &integrals,
-                  const MasterPatch<dim>                &patch,
-                  MortarDerivative<dim>                 &derivative) const;
-
   private:
     const FaceShape<dim>              displacement_shape;
     const FaceShape<dim>              multiplier_shape;
-    FaceShapeValues<dim>              at_centre;
     std::vector<FaceShapeValues<dim>> at_node; ///< displacement nodes
-
-    /// Derivative of the integrals of psi_l N(master), per master face:
-    /// [master node][(slave nodes, master nodes) * dim].
-    std::vector<FullMatrix<double>>
-    share_derivatives(const MortarFace<dim>    &slave,
-                      const unsigned int        l,
-                      const FaceSegments<dim>  &segments,
-                      const FullMatrix<double> &weighting,
-                      const MasterPatch<dim>   &patch) const;
-
-    /// Adds what the motion of the borders changes where the master surface
-    /// ends. @p rows: numbers of the nodes of each master face.
-    void
-    add_ends(const MortarFace<dim>                        &slave,
-             const typename MortarNode<dim>::Around       &around,
-             const FaceSegments<dim>                      &segments,
-             const FaceIntegrals<dim>                     &integrals,
-             const MasterPatch<dim>                       &patch,
-             const std::vector<std::vector<unsigned int>> &rows,
-             MortarDerivative<dim>                        &derivative) const;
-
-    /// Derivative of the unit outward normal of a slave face, where its shape
-    /// functions are @p values, with respect to its nodes.
-    std::vector<Tensor<2, dim>>
-    unit_normal_derivative(const MortarFace<dim>      &slave,
-                           const FaceShapeValues<dim> &values) const;
   };
 } // namespace stickslip
 

@@ -1,7 +1,7 @@
 #ifndef stickslip_contact_pairing_mortar_surface_h
 #define stickslip_contact_pairing_mortar_surface_h
 
-#include <stickslip/contact/pairing/mortar_integrals.h>
+#include <stickslip/contact/pairing/mortar_derivatives.h>
 #include <stickslip/contact/point/contact_points.h>
 #include <stickslip/contact/surface/weighting_functions.h>
 
@@ -94,6 +94,10 @@ namespace stickslip
       return current->frames[i];
     }
 
+    /// The frame of node @p i and the master face with the largest share of it.
+    Pairing<dim>
+    pairing_of(const unsigned int i) const;
+
     /// Master faces opposite node @p i, numbers in the patch, sorted.
     std::vector<unsigned int>
     masters_of(const unsigned int i) const;
@@ -141,6 +145,7 @@ namespace stickslip
     const FaceShape<dim>            multiplier_shape;
     const SegmentRule<dim>          rule;
     const MortarIntegrals<dim>      integrals;
+    const MortarDerivatives<dim>    derivatives;
     std::vector<MortarFace<dim>>    faces;
     std::vector<MortarNode<dim>>    nodes;
     std::vector<FaceIntegrals<dim>> over_faces; ///< of the present pairing

@@ -1,0 +1,62 @@
+#ifndef stickslip_contact_pairing_mortar_derivatives_h
+#define stickslip_contact_pairing_mortar_derivatives_h
+
+#include <stickslip/contact/pairing/mortar_integrals.h>
+
+#include <vector>
+
+namespace stickslip
+{
+  /// Derivatives of the averages of mortar nodes (MortarDerivative).
+  template <int dim>
+  class MortarDerivatives
+  {
+  public:
+    MortarDerivatives(const FaceShape<dim> &displacement_shape,
+                      const FaceShape<dim> &multiplier_shape);
+
+    /// Derivative of the @p average (mortar_node.h).
+    void
+    differentiate(const MortarNode<dim>                 &node,
+                  const MortarAverage<dim>              &average,
+                  const std::vector<MortarFace<dim>>    &faces,
+                  const std::vector<FaceSegments<dim>>  &segments,
+                  const std::vector<FaceIntegrals<dim>> &integrals,
+                  const MasterPatch<dim>                &patch,
+                  MortarDerivative<dim>                 &derivative) const;
+
+  private:
+    const FaceShape<dim>              displacement_shape;
+    const FaceShape<dim>              multiplier_shape;
+    FaceShapeValues<dim>              at_centre;
+    std::vector<FaceShapeValues<dim>> at_node; ///< displacement nodes
+
+    /// Derivative of the integrals of psi_l N(master), per master face:
+    /// [master node][(slave nodes, master nodes) * dim].
+    std::vector<FullMatrix<double>>
+    share_derivatives(const MortarFace<dim>    &slave,
+                      const unsigned int        l,
+                      const FaceSegments<dim>  &segments,
+                      const FullMatrix<double> &weighting,
+                      const MasterPatch<dim>   &patch) const;
+
+    /// Adds what the motion of the borders changes where the master surface
+    /// ends. @p rows: numbers of the nodes of each master face.
+    void
+    add_ends(const MortarFace<dim>                        &slave,
+             const typename MortarNode<dim>::Around       &around,
+             const FaceSegments<dim>                      &segments,
+             const FaceIntegrals<dim>                     &integrals,
+             const MasterPatch<dim>                       &patch,
+             const std::vector<std::vector<unsigned int>> &rows,
+             MortarDerivative<dim>                        &derivative) const;
+
+    /// Derivative of the unit outward normal of a slave face, where its shape
+    /// functions are @p values, with respect to its nodes.
+    std::vector<Tensor<2, dim>>
+    unit_normal_derivative(const MortarFace<dim>      &slave,
+                           const FaceShapeValues<dim> &values) const;
+  };
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,51 @@
+#ifndef stickslip_contact_pairing_slave_configuration_h
+#define stickslip_contact_pairing_slave_configuration_h
+
+#include <stickslip/contact/point/contact_points.h>
+
+#include <vector>
+
+namespace stickslip
+{
+  /// Where the owned slave faces of a pair, and the points on them, are: now
+  /// and at the start of the step.
+  template <int dim>
+  class SlaveConfiguration
+  {
+  public:
+    /// From ghosted displacements.
+    void
+    update(const std::vector<SlaveFace<dim>> &faces,
+           const LA::Vector                  &u,
+           const LA::Vector                  &u_old);
+
+    /// Of the nodes of a face, now.
+    const std::vector<Tensor<1, dim>> &
+    positions(const unsigned int face) const
+    {
+      return now[face];
+    }
+
+    SlavePosition<dim>
+    position(const SlaveShapeTable<dim> &table,
+             const ContactPoint<dim>    &point) const;
+
+    /// Outward unit normal of the face of a point.
+    Tensor<1, dim>
+    normal(const std::vector<SlaveFace<dim>> &faces,
+           const SlaveShapeTable<dim>        &table,
+           const ContactPoint<dim>           &point) const;
+
+    /// Current over reference area at a point.
+    double
+    area_ratio(const std::vector<SlaveFace<dim>> &faces,
+               const SlaveShapeTable<dim>        &table,
+               const ContactPoint<dim>           &point) const;
+
+  private:
+    std::vector<std::vector<Tensor<1, dim>>> now; ///< [face][node]
+    std::vector<std::vector<Tensor<1, dim>>> old;
+  };
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,358 @@
+#include <stickslip/contact/pairing/mortar_derivatives.h>
+
+#include <map>
+
+namespace stickslip
+{
+  namespace
+  {
+    template <int dim>
+    Tensor<1, dim>
+    position(const std::vector<double>         &shape,
+             const std::vector<Tensor<1, dim>> &nodes)
+    {
+      Tensor<1, dim> x;
+      for (unsigned int k = 0; k < shape.size(); ++k)
+        x += shape[k] * nodes[k];
+      return x;
+    }
+
+
+
+    /// Tangents of a face whose own nodes come first in @p stencil.
+    template <int dim>
+    std::array<Tensor<1, dim>, dim - 1>
+    tangents_of(const FaceShapeValues<dim>        &shape,
+                const std::vector<Tensor<1, dim>> &stencil)
+    {
+      std::array<Tensor<1, dim>, dim - 1> a;
+      for (unsigned int k = 0; k < shape.gradient.size(); ++k)
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          a[d] += shape.gradient[k][d] * stencil[k];
+      return a;
+    }
+
+
+
+    template <int dim>
+    FaceShapeValues<dim>
+    values_at_centre(const FaceShape<dim> &shape)
+    {
+      Point<dim - 1> centre;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        centre[d] = 0.5;
+      FaceShapeValues<dim> values;
+      shape.evaluate(centre, values);
+      return values;
+    }
+
+
+
+    /// Numbers of the master nodes that a mortar node meets.
+    using MasterNumbers = std::map<types::global_dof_index, unsigned int>;
+
+
+
+    template <int dim>
+    MasterNumbers
+    master_numbers(const MortarAverage<dim> &average)
+    {
+      MasterNumbers numbers;
+      for (unsigned int l = 0; l < average.n_master_nodes(); ++l)
+        numbers[average.master_dofs[l * dim]] = l;
+      return numbers;
+    }
+
+
+
+    /// How the partner of a fixed point of the slave moves: derivative of eta
+    /// with respect to x_s, and the distance along the normal.
+    template <int dim>
+    struct Partner
+    {
+      std::array<Tensor<1, dim>, dim - 1> D_eta; ///< rows
+      double                              distance = 0.;
+    };
+
+
+
+    /// From x_m(eta) + g n = x_s.
+    template <int dim>
+    Partner<dim>
+    partner_of(const Tensor<1, dim>                      &x_s,
+               const Tensor<1, dim>                      &x_m,
+               const std::array<Tensor<1, dim>, dim - 1> &a,
+               const Tensor<1, dim>                      &n)
+    {
+      Tensor<2, dim> jacobian;
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            jacobian[i][d] = a[d][i];
+          jacobian[i][dim - 1] = n[i];
+        }
+      const Tensor<2, dim> inverse = invert(jacobian);
+      Partner<dim>         partner;
+      partner.distance = (x_s - x_m) * n;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        partner.D_eta[d] = inverse[d];
+      return partner;
+    }
+  } // namespace
+
+
+  template <int dim>
+  MortarDerivatives<dim>::MortarDerivatives(
+    const FaceShape<dim> &displacement_shape,
+    const FaceShape<dim> &multiplier_shape)
+    : displacement_shape(displacement_shape)
+    , multiplier_shape(multiplier_shape)
+    , at_centre(values_at_centre(displacement_shape))
+    , at_node(displacement_shape.n_nodes())
+  {
+    for (unsigned int j = 0; j < at_node.size(); ++j)
+      displacement_shape.evaluate(displacement_shape.node(j), at_node[j]);
+  }
+
+
+
+  template <int dim>
+  std::vector<Tensor<2, dim>>
+  MortarDerivatives<dim>::unit_normal_derivative(
+    const MortarFace<dim>      &slave,
+    const FaceShapeValues<dim> &values) const
+  {
+    const auto a = surface_tangents<dim>(values.gradient, slave.positions);
+    const Tensor<1, dim> v = -slave.face.orientation * surface_normal<dim>(a);
+    const double         length = v.norm();
+    const Tensor<2, dim> projector =
+      Tensor<2, dim>(unit_symmetric_tensor<dim>()) -
+      outer_product(v, v) / (length * length);
+    std::vector<Tensor<2, dim>> derivative;
+    for (const auto &gradient : values.gradient)
+      derivative.push_back((-slave.face.orientation / length) * projector *
+                           surface_normal_derivative<dim>(a, gradient));
+    return derivative;
+  }
+
+
+
+  template <int dim>
+  std::vector<FullMatrix<double>>
+  MortarDerivatives<dim>::share_derivatives(const MortarFace<dim>    &slave,
+                                            const unsigned int        l,
+                                            const FaceSegments<dim>  &segments,
+                                            const FullMatrix<double> &weighting,
+                                            const MasterPatch<dim> &patch) const
+  {
+    const unsigned int n = displacement_shape.n_nodes();
+    const auto         plane =
+      projection_plane(slave.face, displacement_shape, slave.positions);
+    const auto D_plane_normal = unit_normal_derivative(slave, at_centre);
+
+    std::vector<FullMatrix<double>> D_M(segments.masters.size(),
+                                        FullMatrix<double>(n, 2 * n * dim));
+    std::vector<double>             L, N, D_eta(2 * n * dim);
+    FaceShapeValues<dim>            master_values;
+    for (const auto &point : segments.points)
+      {
+        multiplier_shape.evaluate_values(point.xi, L);
+        const double psi = point.weight * combination(weighting, l, L);
+        if (psi == 0.)
+          continue;
+        displacement_shape.evaluate_values(point.xi, N);
+        displacement_shape.evaluate(point.eta, master_values);
+        const auto &nodes =
+          patch.configuration(segments.masters[point.master]).positions;
+        const Partner<dim> partner =
+          partner_of<dim>(position(N, slave.positions),
+                          position(master_values.value, nodes),
+                          tangents_of(master_values, nodes),
+                          plane.n);
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          {
+            // derivative of eta_d along the nodes of both faces
+            const Tensor<1, dim> &row = partner.D_eta[d];
+            for (unsigned int k = 0; k < n; ++k)
+              {
+                const Tensor<1, dim> along_slave =
+                  N[k] * row - partner.distance * (row * D_plane_normal[k]);
+                for (unsigned int c = 0; c < dim; ++c)
+                  {
+                    D_eta[k * dim + c]       = along_slave[c];
+                    D_eta[(n + k) * dim + c] = -master_values.value[k] * row[c];
+                  }
+              }
+            for (unsigned int i = 0; i < n; ++i)
+              {
+                const double factor = psi * master_values.gradient[i][d];
+                for (unsigned int k = 0; k < D_eta.size(); ++k)
+                  D_M[point.master](i, k) += factor * D_eta[k];
+              }
+          }
+      }
+    return D_M;
+  }
+
+
+
+  template <int dim>
+  void
+  MortarDerivatives<dim>::add_ends(
+    const MortarFace<dim>                        &slave,
+    const typename MortarNode<dim>::Around       &around,
+    const FaceSegments<dim>                      &segments,
+    const FaceIntegrals<dim>                     &integrals,
+    const MasterPatch<dim>                       &patch,
+    const std::vector<std::vector<unsigned int>> &rows,
+    MortarDerivative<dim>                        &derivative) const
+  {
+    const unsigned int n = displacement_shape.n_nodes();
+    const unsigned int l = around.multiplier;
+    const auto         plane =
+      projection_plane(slave.face, displacement_shape, slave.positions);
+    const auto D_plane_normal = unit_normal_derivative(slave, at_centre);
+
+    std::vector<double>       L, N, N_master, motion(2 * n * dim);
+    std::vector<unsigned int> columns(2 * n * dim);
+    const auto                add = [&](const unsigned int  row,
+                         const double        factor,
+                         FullMatrix<double> &matrix) {
+      for (unsigned int k = 0; k < columns.size(); ++k)
+        matrix(row, columns[k]) += factor * motion[k];
+    };
+    for (const SegmentEnd<dim> &end : segments.ends)
+      {
+        multiplier_shape.evaluate_values(end.xi, L);
+        displacement_shape.evaluate_values(end.xi, N);
+        displacement_shape.evaluate_values(end.eta, N_master);
+        std::vector<double> N_border(n, 0.);
+        N_border[end.nodes[0]] += 1. - end.share;
+        N_border[end.nodes[1]] += end.share;
+        const auto &master =
+          patch.configuration(segments.masters[end.master]).positions;
+        const double distance =
+          (position(N_border, master) - position(N, slave.positions)) * plane.n;
+        // the area that the border gains
+        for (unsigned int k = 0; k < n; ++k)
+          {
+            const Tensor<1, dim> along_slave =
+              -N[k] * end.outward -
+              distance * (end.outward * D_plane_normal[k]);
+            for (unsigned int c = 0; c < dim; ++c)
+              {
+                columns[k * dim + c]       = around.stencil[k] * dim + c;
+                columns[(n + k) * dim + c] = derivative.D_normal.size() * dim +
+                                             rows[end.master][k] * dim + c;
+                motion[k * dim + c] = end.weight * along_slave[c];
+                motion[(n + k) * dim + c] =
+                  end.weight * N_border[k] * end.outward[c];
+              }
+          }
+        const double psi = combination(integrals.weighting, l, L);
+        for (unsigned int k = 0; k < n; ++k)
+          {
+            add(around.stencil[k], psi * N[k], derivative.D_D);
+            add(rows[end.master][k], psi * N_master[k], derivative.D_M);
+          }
+        for (unsigned int k = 0; k < columns.size(); ++k)
+          derivative.D_area[columns[k]] += psi * motion[k];
+        if (slave.weighting_kind != WeightingFunctions::dual)
+          continue;
+
+        // the functions stay dual on the part that has a master:
+        // D psi_l = sum_m y_m psi_m, y_m from the derivative of D M^-1
+        for (unsigned int m = 0; m < L.size(); ++m)
+          {
+            if (slave.is_excluded[m])
+              continue;
+            const double phi = combination(slave.extended, m, L);
+            const double y =
+              ((m == l ? phi : 0.) - psi * phi) / integrals.area[m];
+            for (unsigned int k = 0; k < n; ++k)
+              add(around.stencil[k], y * integrals.D(m, k), derivative.D_D);
+            for (unsigned int i = 0; i < rows.size(); ++i)
+              for (unsigned int k = 0; k < n; ++k)
+                add(rows[i][k], y * integrals.M[i](m, k), derivative.D_M);
+            for (unsigned int k = 0; k < columns.size(); ++k)
+              derivative.D_area[columns[k]] +=
+                y * integrals.area[m] * motion[k];
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  MortarDerivatives<dim>::differentiate(
+    const MortarNode<dim>                 &node,
+    const MortarAverage<dim>              &average,
+    const std::vector<MortarFace<dim>>    &faces,
+    const std::vector<FaceSegments<dim>>  &segments,
+    const std::vector<FaceIntegrals<dim>> &integrals,
+    const MasterPatch<dim>                &patch,
+    MortarDerivative<dim>                 &derivative) const
+  {
+    const unsigned int n_slave = node.n_stencil_nodes();
+    derivative.D_M.reinit(average.n_master_nodes(),
+                          (n_slave + average.n_master_nodes()) * dim);
+    derivative.D_normal.assign(n_slave, Tensor<2, dim>());
+    derivative.D_D.reinit(0, 0);
+    derivative.D_area.clear();
+    const MasterNumbers numbers = master_numbers(average);
+    for (const auto &around : node.faces)
+      {
+        const MortarFace<dim>   &slave   = faces[around.face];
+        const FaceSegments<dim> &of_face = segments[around.face];
+        const unsigned int       n       = slave.face.n_nodes;
+        const auto               D_node_normal =
+          unit_normal_derivative(slave, at_node[around.displacement]);
+        for (unsigned int k = 0; k < n; ++k)
+          derivative.D_normal[around.stencil[k]] += D_node_normal[k];
+        if (!average.paired)
+          continue;
+
+        const std::vector<FullMatrix<double>> D_M =
+          share_derivatives(slave,
+                            around.multiplier,
+                            of_face,
+                            integrals[around.face].weighting,
+                            patch);
+        std::vector<std::vector<unsigned int>> rows(D_M.size());
+        for (unsigned int i = 0; i < D_M.size(); ++i)
+          {
+            const SurfaceFace<dim>   &master = patch.face(of_face.masters[i]);
+            std::vector<unsigned int> columns;
+            for (unsigned int k = 0; k < n; ++k)
+              rows[i].push_back(numbers.at(master.dofs[k * dim]));
+            for (unsigned int k = 0; k < n; ++k)
+              for (unsigned int c = 0; c < dim; ++c)
+                columns.push_back(around.stencil[k] * dim + c);
+            for (unsigned int k = 0; k < n; ++k)
+              for (unsigned int c = 0; c < dim; ++c)
+                columns.push_back((n_slave + rows[i][k]) * dim + c);
+            for (unsigned int l = 0; l < n; ++l)
+              for (unsigned int k = 0; k < columns.size(); ++k)
+                derivative.D_M(rows[i][l], columns[k]) += D_M[i](l, k);
+          }
+        if (of_face.ends.empty())
+          continue;
+        if (derivative.D_area.empty())
+          {
+            derivative.D_area.assign(derivative.D_M.n(), 0.);
+            derivative.D_D.reinit(n_slave, derivative.D_M.n());
+          }
+        add_ends(slave,
+                 around,
+                 of_face,
+                 integrals[around.face],
+                 patch,
+                 rows,
+                 derivative);
+      }
+  }
+
+  template class MortarDerivatives<2>;
+  template class MortarDerivatives<3>;
+} // namespace stickslip
