@@ -4,6 +4,8 @@
 
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace stickslip
@@ -12,6 +14,19 @@ namespace stickslip
   {
     /// A mortar node, or a slave face, and a master face that it couples with.
     using PlaceAndMaster = std::pair<unsigned int, FaceId>;
+
+    using Coupling = std::tuple<unsigned int, unsigned int, FaceId>;
+
+
+
+    bool
+    is_coupling_of(const Coupling    &coupling,
+                   const unsigned int pair,
+                   const unsigned int place)
+    {
+      const auto &[p, other_place, id] = coupling;
+      return p == pair && other_place == place;
+    }
 
 
 
@@ -27,6 +42,16 @@ namespace stickslip
       for (const unsigned int m : pair.mortar->masters_of(i))
         couplings.emplace_back(i, pair.patch->face(m).id);
       return couplings;
+    }
+
+
+
+    template <int dim>
+    const SurfaceFace<dim> &
+    master_of(const Coupling &coupling, const ContactPair<dim> &pair)
+    {
+      const auto &[p, place, id] = coupling;
+      return pair.patch->face(pair.patch->index_of(id));
     }
 
 
@@ -123,17 +148,18 @@ namespace stickslip
     std::vector<types::global_dof_index> coupled;
     for (auto entry = known_couplings.begin(); entry != known_couplings.end();)
       {
-        const auto [p, place, first_id] = *entry;
-        const ContactPair<dim> &pair    = *pairs[p];
-        coupled                         = dofs_at(pair, place, n_u);
-        do
+        const auto [p, place, first] = *entry;
+        const ContactPair<dim> &pair = *pairs[p];
+        coupled                      = dofs_at(pair, place, n_u);
+        bool is_same_place           = true;
+        while (is_same_place)
           {
-            const auto &master =
-              pair.patch->face(pair.patch->index_of(std::get<2>(*entry))).dofs;
+            const auto &master = master_of(*entry, pair).dofs;
             coupled.insert(coupled.end(), master.begin(), master.end());
             ++entry;
-        } while (pair.mortar && entry != known_couplings.end() &&
-                 std::get<0>(*entry) == p && std::get<1>(*entry) == place);
+            is_same_place = pair.mortar && entry != known_couplings.end() &&
+                            is_coupling_of(*entry, p, place);
+          }
         constraints.add_entries_local_to_global(coupled, pattern, false);
       }
     // open and unpaired points have rows of their own

@@ -176,14 +176,14 @@ namespace stickslip
       material.check("Materials/" + name, dimension, degree);
     check_named_list("Boundary conditions", boundary_conditions);
     check_named_list("Contact", contact_pairs);
-    if (needs_nodal_quadrature(algorithm.name))
+    if (needs_law_per_multiplier(algorithm.name))
       for (const auto &[name, pair] : contact_pairs)
         if (!has_one_multiplier_per_point(pair.quadrature))
           throw UserError("'Contact/" + name + "/Quadrature' = " +
                           name_of(pair.quadrature, all_contact_rules()) +
                           ": 'Algorithm/Name = " + name_of(algorithm.name) +
-                          "' needs 'nodal', where every multiplier belongs to "
-                          "one place.");
+                          "' needs 'segments' or 'nodal', where the law holds "
+                          "at each multiplier.");
     load_stepping.check("Load stepping");
     linear_solver.check("Linear solver");
     output.check("Output");

@@ -179,7 +179,8 @@ namespace stickslip
       "in Newton. automatic: GNM, and in steps where it cycles, stagnates or "
       "ends in a wrong state PNM and then FPM. GCP: fixed points on geometry "
       "and threshold, statuses from a projected conjugate gradient in the "
-      "multipliers; for comparison, needs 'Quadrature = nodal' and bodies that "
+      "multipliers; for comparison, needs 'Quadrature = segments' or 'nodal' "
+      "and bodies that "
       "are supported without contact. custom: what the Treatment of each "
       "quantity says.");
     add_choice(
@@ -279,7 +280,7 @@ namespace stickslip
 
 
   bool
-  needs_nodal_quadrature(const Algorithm algorithm)
+  needs_law_per_multiplier(const Algorithm algorithm)
   {
     return algorithm != Algorithm::automatic &&
            strategy_of(algorithm, AlgorithmParameters()).increment_solver ==

@@ -55,7 +55,7 @@ namespace
     if (strategy.increment_solver ==
         IncrementSolver::projected_conjugate_gradient)
       std::cout << ", projected conjugate gradient";
-    if (needs_nodal_quadrature(algorithm))
+    if (needs_law_per_multiplier(algorithm))
       std::cout << ", nodal quadrature only";
     const unsigned int n = loops[1].n_failures_outlived;
     std::cout << "; the threshold loop outlives "

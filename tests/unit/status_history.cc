@@ -52,6 +52,7 @@ namespace
     prm.set("Poisson's ratio", 0.3);
 
     ContactPairParameters pair;
+    pair.quadrature           = ContactRule::nodal;
     pair.slave_body           = "upper";
     pair.slave_boundary       = {"2"};
     pair.master_body          = "lower";

@@ -144,7 +144,7 @@ namespace stickslip
   /// True if @p algorithm treats every multiplier by itself, so that a contact
   /// point must not have more than one.
   bool
-  needs_nodal_quadrature(const Algorithm algorithm);
+  needs_law_per_multiplier(const Algorithm algorithm);
 
 
 

@@ -67,7 +67,8 @@ namespace stickslip
         "that gives the last two states the same status (paper, eqs. 29 and "
         "32). "
         "If a solve fails all the same, all take that stiffness. Only with "
-        "'Quadrature = nodal', where the answer does not depend on it."));
+        "'Quadrature = segments' or 'nodal', where the answer does not depend "
+        "on it."));
     prm.add_parameter("Hold statuses",
                       fix_statuses,
                       expert(

@@ -1,5 +1,6 @@
 #include <stickslip/contact/pairing/mortar_derivatives.h>
 
+#include <array>
 #include <map>
 
 namespace stickslip

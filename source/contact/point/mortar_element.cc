@@ -1,5 +1,8 @@
 #include <stickslip/contact/point/mortar_element.h>
 
+#include <array>
+#include <vector>
+
 namespace stickslip
 {
   namespace

@@ -103,7 +103,7 @@ namespace stickslip
       "put " +
       std::to_string(needed) +
       " multipliers there: that leaves some undetermined. Raise the order, or "
-      "set 'Quadrature = nodal' or 'Multiplier space = vertices'.");
+      "set 'Quadrature = segments' or 'Multiplier space = vertices'.");
   }
 
   template void

@@ -1,5 +1,6 @@
 #include <stickslip/contact/surface/weighting_functions.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace stickslip

@@ -6,6 +6,7 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include <array>
 #include <vector>
 
 namespace stickslip

@@ -5,6 +5,8 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include <vector>
+
 namespace stickslip
 {
   /**

@@ -1,0 +1,66 @@
+#ifndef stickslip_contact_surface_projected_face_h
+#define stickslip_contact_surface_projected_face_h
+
+#include <stickslip/contact/surface/convex_cell.h>
+#include <stickslip/contact/surface/surface_face.h>
+
+#include <array>
+#include <vector>
+
+namespace stickslip
+{
+  /**
+   * The plane (2D: line) on which a slave face and the master faces opposite
+   * it are intersected: through the centre of the slave face, normal to it
+   * there. Positions are projected along the normal (Puso and Laursen, Comput.
+   * Methods Appl. Mech. Engrg. 193, 2004).
+   */
+  template <int dim>
+  struct ProjectionPlane
+  {
+    Tensor<1, dim>                      origin;
+    Tensor<1, dim>                      n; ///< outward normal of the slave
+    std::array<Tensor<1, dim>, dim - 1> e; ///< orthonormal, in the plane
+
+    /// Coordinates of the projection of @p x [length].
+    Point<dim - 1>
+    coordinates(const Tensor<1, dim> &x) const
+    {
+      Point<dim - 1> p;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        p[d] = e[d] * (x - origin);
+      return p;
+    }
+  };
+
+
+
+  /// The plane of a slave face. @p positions are those of its nodes.
+  template <int dim>
+  ProjectionPlane<dim>
+  projection_plane(const SurfaceFace<dim>            &slave,
+                   const FaceShape<dim>              &shape,
+                   const std::vector<Tensor<1, dim>> &positions);
+
+
+
+  /// A face that is seen from a plane: its cells between neighbouring nodes
+  /// (one for degree 1, 2^(dim-1) for degree 2) as they are projected.
+  template <int dim>
+  struct ProjectedFace
+  {
+    std::vector<ConvexCell<dim - 1>>       cells;
+    std::vector<std::vector<unsigned int>> corners; ///< nodes of the cells
+    std::vector<Point<dim - 1>> centres; ///< of the cells, parametric
+    Point<dim - 1>              low;     ///< of all cells
+    Point<dim - 1>              high;
+  };
+
+  template <int dim>
+  ProjectedFace<dim>
+  project(const FaceShape<dim>              &shape,
+          const std::vector<Tensor<1, dim>> &positions,
+          const ProjectionPlane<dim>        &plane);
+} // namespace stickslip
+
+#endif
