@@ -52,6 +52,7 @@ subsection Contact
     set Slave boundary = 2
     set Master body = lower
     set Master boundary = 3
+    set Quadrature = nodal
     set Friction = Coulomb
     set Friction coefficient = 0.3
   end

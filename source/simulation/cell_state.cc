@@ -163,9 +163,11 @@ namespace stickslip
     Pairing<dim> &pairing = state.pairing;
     FaceId       &face    = pairing.face_id;
     cursor(pairing.paired);
-    unsigned int coarse_cell = names.coarse_name(face.cell[0]);
+    // a point without a partner has no cell to name
+    unsigned int coarse_cell =
+      pairing.paired ? names.coarse_name(face.cell[0]) : 0;
     cursor(coarse_cell);
-    face.cell[0] = names.coarse_id(coarse_cell);
+    face.cell[0] = pairing.paired ? names.coarse_id(coarse_cell) : 0;
     for (unsigned int i = 1; i < face.cell.size(); ++i)
       cursor(face.cell[i]);
     cursor(face.face);

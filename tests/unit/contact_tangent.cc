@@ -445,11 +445,14 @@ namespace
     c.space     = "vertices";
     c.weighting = "dual";
     c.order     = dim == 2 ? 8 : 7;
+    // curved facets meet only nearly on the straight line between their nodes
+    c.tolerance = dim == 2 ? 1e-7 : 0.05;
     test_case<dim>(c);
-    c.name     = "segments frictionless";
-    c.degree   = 1;
-    c.space    = "displacement trace";
-    c.friction = "none";
+    c.tolerance = 1e-7;
+    c.name      = "segments frictionless";
+    c.degree    = 1;
+    c.space     = "displacement trace";
+    c.friction  = "none";
     test_case<dim>(c);
   }
 

@@ -119,6 +119,7 @@ namespace
             ContactPointResult<dim> point;
             point.reference_position = x;
             point.position           = x + face.displacements.back();
+            point.centre_of_force    = point.position;
             point.reference_weight   = nodes.weight(i);
             point.area_ratio         = 1.5;
             point.shape_values.assign(nodes.size(), 0.);

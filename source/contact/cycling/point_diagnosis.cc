@@ -29,7 +29,7 @@ namespace stickslip
       result.reference_position = Point<dim>(point.geometry.reference_position);
       result.position           = Point<dim>(pair.slave_position(point).x);
       result.state              = observe(point, state).state;
-      result.was_paired         = point.hysteresis.accepted().pairing.paired;
+      result.was_paired         = point.initial_pairing.paired;
       result.has_threshold      = state.response.threshold > 0.;
       if (!point.pairing.paired)
         return result;

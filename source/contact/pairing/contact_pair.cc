@@ -354,8 +354,9 @@ namespace stickslip
   {
     if (mortar)
       mortar->accept_step();
-    for (auto &point : points)
-      point.hysteresis.accept_step(point.pairing);
+    else
+      for (auto &point : points)
+        point.hysteresis.accept_step(point.pairing);
   }
 
 
@@ -366,8 +367,9 @@ namespace stickslip
   {
     if (mortar)
       mortar->restore();
-    for (auto &point : points)
-      point.hysteresis.restore();
+    else
+      for (auto &point : points)
+        point.hysteresis.restore();
     use_pairings(last_pairings());
   }
 
