@@ -20,7 +20,7 @@ using namespace stickslip;
 namespace
 {
   /// Two blocks with wavy surfaces that do not match; the upper one, the slave,
-  /// hangs over.
+  /// hangs over. @p normals are those of nodal points, or `segments`.
   std::string
   wavy_blocks(const unsigned int dim, const std::string &normals)
   {
@@ -44,8 +44,10 @@ namespace
            "set Slave boundary = 2\nset Master body = lower\n"
            "set Master boundary = 3\nset Friction = Coulomb\n"
            "set Friction coefficient = 0.4\nset Facet overlap = 0.1\n"
-           "set Normals = " +
-           normals + "\nend\nend\n";
+           "set Quadrature = " +
+           (normals == "segments" ? "segments"
+                                  : "nodal\nset Normals = " + normals) +
+           "\nend\nend\n";
   }
 
 
@@ -226,7 +228,7 @@ int
 main(int argc, char *argv[])
 {
   const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  for (const std::string normals : {"facet", "smoothed"})
+  for (const std::string normals : {"facet", "smoothed", "segments"})
     {
       test<2>(normals);
       test<3>(normals);

@@ -256,6 +256,8 @@ namespace stickslip
             this->differentiate(*pair, point, linearize_geometry);
           point.observed = observe(point, state);
           assume_stick_before_first_pressure(point, state);
+          if (pair->mortar && point.pairing.paired)
+            hold_touching_node(point, state);
           const auto dofs = point_dofs(*pair, point);
           local.reinit(dofs.size());
           local_matrix.reinit(dofs.size(), dofs.size());

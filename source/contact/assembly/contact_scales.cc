@@ -36,6 +36,59 @@ namespace stickslip
 
 
 
+    /// Surfaces closer than this fraction of a slave face touch.
+    constexpr double touching_gap = 1e-6;
+
+
+
+    /// True if the slave surface touches the master at the node of @p point,
+    /// although the gap averaged around it is open, as where round bodies meet.
+    template <int dim>
+    bool
+    touches_at_node(const ContactPair<dim>  &pair,
+                    const ContactPoint<dim> &point)
+    {
+      const Pairing<dim> pairing = pair.find_pairing(point);
+      if (!pairing.paired)
+        return false;
+      const auto &nodes = pair.patch->configuration(pairing.face).positions;
+      const auto  slave = pair.slave_position(point);
+      std::vector<double> N;
+      pair.patch->face_shape().evaluate_values(pairing.xi, N);
+      Tensor<1, dim> x_m;
+      for (unsigned int k = 0; k < N.size(); ++k)
+        x_m += N[k] * nodes[k];
+      const double d_n = pairing.n * (slave.x - x_m) - slave.gap_offset;
+      return d_n >= -touching_gap *
+                      pair.slave_faces[point.geometry.slave_face].face.diameter;
+    }
+
+
+
+    /// In a pair with segments that has to hold a body, and where nothing is
+    /// closed yet, the nodes that touch hold it in the first tangent: the load
+    /// is to close them. Collective.
+    template <int dim>
+    void
+    hold_by_touching_nodes(ContactAssembler<dim> &contact,
+                           ContactPair<dim>      &pair)
+    {
+      unsigned int n_closed = 0;
+      for (auto &point : pair.points)
+        if (contact.live_closed(pair, point))
+          ++n_closed;
+        else
+          point.scales.initial_stick = 0.;
+      if (!pair.has_to_hold ||
+          Utilities::MPI::sum(n_closed, contact.get_communicator()) > 0)
+        return;
+      for (auto &point : pair.points)
+        if (point.pairing.paired && touches_at_node(pair, point))
+          point.scales.initial_stick = point.scales.stiffness;
+    }
+
+
+
     /// What the factors of a point multiply.
     struct ScaleUnits
     {
@@ -141,6 +194,8 @@ namespace stickslip
               is_first_pressure_to_come && pair->has_to_hold ? k : 0.;
             scales.open_row = open_row_factor * s / r.r_t_law;
           }
+        if (pair->mortar)
+          hold_by_touching_nodes(contact, *pair);
       }
   }
 

@@ -24,6 +24,22 @@ namespace stickslip
 
   template <int dim>
   void
+  hold_touching_node(const ContactPoint<dim> &point,
+                     ContactEvaluation<dim>  &state)
+  {
+    if (state.status.closed)
+      return;
+    for (unsigned int i = 0; i < dim; ++i)
+      for (unsigned int c = 0; c < GeneralizedCoordinates<dim>::n; ++c)
+        state.response.D_traction[i][c] += point.scales.initial_stick *
+                                           state.kinematics.n[i] *
+                                           state.kinematics.D_d_n[c];
+  }
+
+
+
+  template <int dim>
+  void
   keep_undetermined_Lambda(const ContactPoint<dim>      &point,
                            const ContactEvaluation<dim> &state,
                            const std::vector<double>    &L,
@@ -46,6 +62,8 @@ namespace stickslip
 #define INSTANTIATE(dim)                                                      \
   template void assume_stick_before_first_pressure(const ContactPoint<dim> &, \
                                                    ContactEvaluation<dim> &); \
+  template void hold_touching_node(const ContactPoint<dim> &,                 \
+                                   ContactEvaluation<dim> &);                 \
   template void keep_undetermined_Lambda(const ContactPoint<dim> &,           \
                                          const ContactEvaluation<dim> &,      \
                                          const std::vector<double> &,         \

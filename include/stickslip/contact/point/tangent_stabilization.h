@@ -22,6 +22,14 @@ namespace stickslip
   assume_stick_before_first_pressure(const ContactPoint<dim> &point,
                                      ContactEvaluation<dim>  &state);
 
+  /// A mortar node that touches although its average is open
+  /// (contact_scales.cc) holds a body that nothing else holds: a normal spring
+  /// of the stiffness ContactScales::initial_stick.
+  template <int dim>
+  void
+  hold_touching_node(const ContactPoint<dim> &point,
+                     ContactEvaluation<dim>  &state);
+
   /// A sticking node whose tangential displacement is prescribed leaves Lambda
   /// undetermined: it keeps the value that it has. @p multiplier_shape are the
   /// values at the point of the last multipliers of @p local.
