@@ -7,48 +7,6 @@ namespace stickslip
 {
   namespace
   {
-    template <int dim>
-    Tensor<1, dim>
-    position(const std::vector<double>         &shape,
-             const std::vector<Tensor<1, dim>> &nodes)
-    {
-      Tensor<1, dim> x;
-      for (unsigned int k = 0; k < shape.size(); ++k)
-        x += shape[k] * nodes[k];
-      return x;
-    }
-
-
-
-    /// Tangents of a face whose own nodes come first in @p stencil.
-    template <int dim>
-    std::array<Tensor<1, dim>, dim - 1>
-    tangents_of(const FaceShapeValues<dim>        &shape,
-                const std::vector<Tensor<1, dim>> &stencil)
-    {
-      std::array<Tensor<1, dim>, dim - 1> a;
-      for (unsigned int k = 0; k < shape.gradient.size(); ++k)
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          a[d] += shape.gradient[k][d] * stencil[k];
-      return a;
-    }
-
-
-
-    template <int dim>
-    FaceShapeValues<dim>
-    values_at_centre(const FaceShape<dim> &shape)
-    {
-      Point<dim - 1> centre;
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        centre[d] = 0.5;
-      FaceShapeValues<dim> values;
-      shape.evaluate(centre, values);
-      return values;
-    }
-
-
-
     /// Numbers of the master nodes that a mortar node meets.
     using MasterNumbers = std::map<types::global_dof_index, unsigned int>;
 
@@ -108,12 +66,7 @@ namespace stickslip
     const FaceShape<dim> &multiplier_shape)
     : displacement_shape(displacement_shape)
     , multiplier_shape(multiplier_shape)
-    , at_centre(values_at_centre(displacement_shape))
-    , at_node(displacement_shape.n_nodes())
-  {
-    for (unsigned int j = 0; j < at_node.size(); ++j)
-      displacement_shape.evaluate(displacement_shape.node(j), at_node[j]);
-  }
+  {}
 
 
 
@@ -149,7 +102,8 @@ namespace stickslip
     const unsigned int n = displacement_shape.n_nodes();
     const auto         plane =
       projection_plane(slave.face, displacement_shape, slave.positions);
-    const auto D_plane_normal = unit_normal_derivative(slave, at_centre);
+    const auto D_plane_normal =
+      unit_normal_derivative(slave, displacement_shape.at_centre());
 
     std::vector<FullMatrix<double>> D_M(segments.masters.size(),
                                         FullMatrix<double>(n, 2 * n * dim));
@@ -166,9 +120,9 @@ namespace stickslip
         const auto &nodes =
           patch.configuration(segments.masters[point.master]).positions;
         const Partner<dim> partner =
-          partner_of<dim>(position(N, slave.positions),
-                          position(master_values.value, nodes),
-                          tangents_of(master_values, nodes),
+          partner_of<dim>(interpolate<dim>(N, slave.positions),
+                          interpolate<dim>(master_values.value, nodes),
+                          surface_tangents<dim>(master_values.gradient, nodes),
                           plane.n);
         for (unsigned int d = 0; d < dim - 1; ++d)
           {
@@ -212,7 +166,8 @@ namespace stickslip
     const unsigned int l = around.multiplier;
     const auto         plane =
       projection_plane(slave.face, displacement_shape, slave.positions);
-    const auto D_plane_normal = unit_normal_derivative(slave, at_centre);
+    const auto D_plane_normal =
+      unit_normal_derivative(slave, displacement_shape.at_centre());
 
     std::vector<double>       L, N, N_master, motion(2 * n * dim);
     std::vector<unsigned int> columns(2 * n * dim);
@@ -230,15 +185,18 @@ namespace stickslip
         std::vector<double> N_border(n, 0.);
         N_border[end.nodes[0]] += 1. - end.share;
         N_border[end.nodes[1]] += end.share;
-        const auto &master =
-          patch.configuration(segments.masters[end.master]).positions;
-        const double distance =
-          (position(N_border, master) - position(N, slave.positions)) * plane.n;
+        const auto &line =
+          end.on_slave
+            ? slave.positions
+            : patch.configuration(segments.masters[end.master]).positions;
+        const double distance = (interpolate<dim>(N_border, line) -
+                                 interpolate<dim>(N, slave.positions)) *
+                                plane.n;
         // the area that the border gains
         for (unsigned int k = 0; k < n; ++k)
           {
             const Tensor<1, dim> along_slave =
-              -N[k] * end.outward -
+              ((end.on_slave ? N_border[k] : 0.) - N[k]) * end.outward -
               distance * (end.outward * D_plane_normal[k]);
             for (unsigned int c = 0; c < dim; ++c)
               {
@@ -247,7 +205,7 @@ namespace stickslip
                                              rows[end.master][k] * dim + c;
                 motion[k * dim + c] = end.weight * along_slave[c];
                 motion[(n + k) * dim + c] =
-                  end.weight * N_border[k] * end.outward[c];
+                  end.on_slave ? 0. : end.weight * N_border[k] * end.outward[c];
               }
           }
         const double psi = combination(integrals.weighting, l, L);
@@ -304,11 +262,11 @@ namespace stickslip
     const MasterNumbers numbers = master_numbers(average);
     for (const auto &around : node.faces)
       {
-        const MortarFace<dim>   &slave   = faces[around.face];
-        const FaceSegments<dim> &of_face = segments[around.face];
-        const unsigned int       n       = slave.face.n_nodes;
-        const auto               D_node_normal =
-          unit_normal_derivative(slave, at_node[around.displacement]);
+        const MortarFace<dim>   &slave         = faces[around.face];
+        const FaceSegments<dim> &of_face       = segments[around.face];
+        const unsigned int       n             = slave.face.n_nodes;
+        const auto               D_node_normal = unit_normal_derivative(
+          slave, displacement_shape.at_node(around.displacement));
         for (unsigned int k = 0; k < n; ++k)
           derivative.D_normal[around.stencil[k]] += D_node_normal[k];
         if (!average.paired)

@@ -54,11 +54,7 @@ namespace stickslip
     const FaceShape<dim> &multiplier_shape)
     : displacement_shape(displacement_shape)
     , multiplier_shape(multiplier_shape)
-    , at_node(displacement_shape.n_nodes())
-  {
-    for (unsigned int j = 0; j < at_node.size(); ++j)
-      displacement_shape.evaluate(displacement_shape.node(j), at_node[j]);
-  }
+  {}
 
 
 
@@ -75,9 +71,9 @@ namespace stickslip
         const MortarFace<dim> &slave = faces[around.face];
         const Tensor<1, dim>   v =
           -slave.face.orientation *
-          surface_normal<dim>(
-            surface_tangents<dim>(at_node[around.displacement].gradient,
-                                  slave.positions));
+          surface_normal<dim>(surface_tangents<dim>(
+            displacement_shape.at_node(around.displacement).gradient,
+            slave.positions));
         frame.n += v / v.norm();
       }
     frame.length = frame.n.norm();

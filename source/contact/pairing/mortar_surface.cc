@@ -271,10 +271,15 @@ namespace stickslip
   MortarSurface<dim>::use(const PairingPointer   &pairing,
                           const MasterPatch<dim> &patch)
   {
-    current = pairing;
-    over_faces.clear();
-    for (unsigned int f = 0; f < faces.size(); ++f)
-      over_faces.push_back(integrals.integrate(faces[f], current->segments[f]));
+    if (pairing != current || over_faces.size() != faces.size())
+      {
+        // a function of the pairing alone: a frozen one keeps them
+        current = pairing;
+        over_faces.clear();
+        for (unsigned int f = 0; f < faces.size(); ++f)
+          over_faces.push_back(
+            integrals.integrate(faces[f], current->segments[f]));
+      }
     for (unsigned int i = 0; i < nodes.size(); ++i)
       averages[i] = integrals.average(
         nodes[i], faces, current->segments, over_faces, patch);

@@ -38,22 +38,6 @@ namespace stickslip
 
 
     template <int dim>
-    Tensor<1, dim>
-    position(const FaceShape<dim>              &shape,
-             const Point<dim - 1>              &xi,
-             const std::vector<Tensor<1, dim>> &nodes)
-    {
-      std::vector<double> N;
-      shape.evaluate_values(xi, N);
-      Tensor<1, dim> x;
-      for (unsigned int k = 0; k < N.size(); ++k)
-        x += N[k] * nodes[k];
-      return x;
-    }
-
-
-
-    template <int dim>
     void
     measure_candidate(const MortarFace<dim>             &slave,
                       const FaceShape<dim>              &shape,
@@ -61,12 +45,15 @@ namespace stickslip
                       const std::vector<Tensor<1, dim>> &master,
                       Candidate<dim>                    &candidate)
     {
+      std::vector<double> N, N_master;
       for (const auto &point : candidate.points)
         {
+          shape.evaluate_values(point.xi, N);
+          shape.evaluate_values(point.eta, N_master);
           candidate.area += point.weight;
           candidate.distance += point.weight *
-                                (position(shape, point.eta, master) -
-                                 position(shape, point.xi, slave.positions)) *
+                                (interpolate<dim>(N_master, master) -
+                                 interpolate<dim>(N, slave.positions)) *
                                 n;
         }
       candidate.distance = std::abs(candidate.distance) / candidate.area;
@@ -144,27 +131,48 @@ namespace stickslip
 
 
 
-    /// True where nothing continues the master surface beyond the edges of the
-    /// cells of @p candidate (SegmentRule::add_ends()). Curved faces meet their
-    /// neighbours on the straight line between nodes only nearly: all their
-    /// borders count.
+    using EdgeCounts = std::map<Edge, unsigned int>;
+
+
+
+    template <int dim>
+    void
+    count_edges(const SurfaceFace<dim>   &face,
+                const ProjectedFace<dim> &projected,
+                EdgeCounts               &n_cells)
+    {
+      for (unsigned int j = 0; j < projected.cells.size(); ++j)
+        for (const Edge &edge : edges_of(face, projected, j))
+          ++n_cells[edge];
+    }
+
+
+
+    /// Edges that only one of the counted cells has.
     template <int dim>
     std::vector<std::vector<bool>>
-    ends_of(const Candidate<dim>               &candidate,
-            const SurfaceFace<dim>             &face,
-            const std::map<Edge, unsigned int> &n_cells)
+    outer_edges(const SurfaceFace<dim>   &face,
+                const ProjectedFace<dim> &projected,
+                const EdgeCounts         &n_cells)
     {
-      const bool is_curved = dim == 3 && candidate.projected.cells.size() > 1;
-      std::map<Edge, unsigned int> n_own_cells;
-      for (unsigned int j = 0; j < candidate.projected.cells.size(); ++j)
-        for (const Edge &edge : edges_of(face, candidate.projected, j))
-          ++n_own_cells[edge];
-      std::vector<std::vector<bool>> is_end(candidate.projected.cells.size());
-      for (unsigned int j = 0; j < is_end.size(); ++j)
-        for (const Edge &edge : edges_of(face, candidate.projected, j))
-          is_end[j].push_back(is_curved ? n_own_cells.at(edge) == 1
-                                        : n_cells.at(edge) == 1);
-      return is_end;
+      std::vector<std::vector<bool>> is_outer(projected.cells.size());
+      for (unsigned int j = 0; j < is_outer.size(); ++j)
+        for (const Edge &edge : edges_of(face, projected, j))
+          is_outer[j].push_back(n_cells.at(edge) == 1);
+      return is_outer;
+    }
+
+
+
+    /// The edges of a face itself. Where faces are curved all of them move:
+    /// neighbours meet on the straight line between nodes only nearly.
+    template <int dim>
+    std::vector<std::vector<bool>>
+    own_edges(const SurfaceFace<dim> &face, const ProjectedFace<dim> &projected)
+    {
+      EdgeCounts n_cells;
+      count_edges(face, projected, n_cells);
+      return outer_edges(face, projected, n_cells);
     }
 
 
@@ -173,31 +181,36 @@ namespace stickslip
     /// neighbour that moves alike.
     template <int dim>
     void
-    add_ends(const MortarFace<dim>             &slave,
-             const SegmentRule<dim>            &rule,
-             const ProjectionPlane<dim>        &plane,
-             const ProjectedFace<dim>          &projected,
-             const std::vector<Candidate<dim>> &candidates,
-             const MasterPatch<dim>            &patch,
-             FaceSegments<dim>                 &segments)
+    add_ends(const MortarFace<dim>       &slave,
+             const SegmentRule<dim>      &rule,
+             const ProjectionPlane<dim>  &plane,
+             const bool                   is_curved,
+             ProjectedFace<dim>          &projected,
+             std::vector<Candidate<dim>> &candidates,
+             const MasterPatch<dim>      &patch,
+             FaceSegments<dim>           &segments)
     {
-      std::map<Edge, unsigned int> n_cells;
+      EdgeCounts n_cells;
       for (const auto &candidate : candidates)
-        for (unsigned int j = 0; j < candidate.projected.cells.size(); ++j)
-          for (const Edge &edge :
-               edges_of(patch.face(candidate.master), candidate.projected, j))
-            ++n_cells[edge];
+        count_edges(patch.face(candidate.master), candidate.projected, n_cells);
+      projected.moving_edges = own_edges(slave.face, projected);
+      if (!is_curved) // a straight edge of the slave stays where it is on it
+        for (auto &edges : projected.moving_edges)
+          edges.assign(edges.size(), false);
       for (unsigned int i = 0; i < candidates.size(); ++i)
-        rule.add_ends(plane,
-                      {slave.positions, projected},
-                      slave.face.reference_positions,
-                      {patch.configuration(candidates[i].master).positions,
-                       candidates[i].projected},
-                      ends_of(candidates[i],
-                              patch.face(candidates[i].master),
-                              n_cells),
-                      i,
-                      segments.ends);
+        {
+          const SurfaceFace<dim> &master = patch.face(candidates[i].master);
+          auto                   &face   = candidates[i].projected;
+          face.moving_edges              = is_curved ? own_edges(master, face)
+                                                     : outer_edges(master, face, n_cells);
+          rule.add_ends(plane,
+                        {slave.positions, projected},
+                        slave.face.reference_positions,
+                        {patch.configuration(candidates[i].master).positions,
+                         face},
+                        i,
+                        segments.ends);
+        }
     }
   } // namespace
 
@@ -211,7 +224,7 @@ namespace stickslip
   {
     const FaceShape<dim> &shape = rule.face_shape();
     const auto plane     = projection_plane(slave.face, shape, slave.positions);
-    const auto projected = project(shape, slave.positions, plane);
+    auto       projected = project(shape, slave.positions, plane);
 
     std::vector<Candidate<dim>> candidates;
     double                      covered = 0.;
@@ -244,7 +257,8 @@ namespace stickslip
     FaceSegments<dim> segments;
     const bool        is_curved = dim == 3 && shape.degree() > 1;
     if (covered < (1. - no_gap) * slave.area || is_curved)
-      add_ends(slave, rule, plane, projected, candidates, patch, segments);
+      add_ends(
+        slave, rule, plane, is_curved, projected, candidates, patch, segments);
     for (auto &candidate : candidates)
       {
         for (auto &point : candidate.points)

@@ -41,15 +41,15 @@ namespace stickslip
                               const FaceShape<dim> &displacement_shape)
     {
       std::map<types::global_dof_index, Tensor<1, dim>> nodal_normals;
-      FaceShapeValues<dim>                              at_node;
       for (const auto &entry : faces)
         for (unsigned int j = 0; j < entry.face.n_nodes; ++j)
           {
-            displacement_shape.evaluate(displacement_shape.node(j), at_node);
             std::vector<Tensor<1, dim>> nodes(
               entry.face.reference_positions.begin(),
               entry.face.reference_positions.begin() + entry.face.n_nodes);
-            const auto a = surface_tangents<dim>(at_node.gradient, nodes);
+            const auto a =
+              surface_tangents<dim>(displacement_shape.at_node(j).gradient,
+                                    nodes);
             const Tensor<1, dim> v =
               -entry.face.orientation * surface_normal<dim>(a);
             nodal_normals[entry.face.dofs[j * dim]] += v / v.norm();

@@ -28,6 +28,14 @@ namespace stickslip
           node[d] = nodes_1d[rest % n_1d][0];
         nodes.push_back(node);
       }
+
+    Point<dim - 1> centre;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      centre[d] = 0.5;
+    evaluate(centre, centre_values);
+    node_values.resize(n_nodes());
+    for (unsigned int j = 0; j < n_nodes(); ++j)
+      evaluate(nodes[j], node_values[j]);
   }
 
 

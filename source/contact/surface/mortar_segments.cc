@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace stickslip
 {
@@ -133,6 +134,20 @@ namespace stickslip
         }
       return borders;
     }
+
+
+
+    /// The edge of @p cell that @p border lies on.
+    template <int facedim>
+    std::optional<unsigned int>
+    edge_below(const Border<facedim> &border, const ConvexCell<facedim> &cell)
+    {
+      for (unsigned int i = 0; i < cell.size(); ++i)
+        if (is_on_edge<facedim>(border.at(0.), cell, i) &&
+            is_on_edge<facedim>(border.at(1.), cell, i))
+          return i;
+      return {};
+    }
   } // namespace
 
 
@@ -161,9 +176,7 @@ namespace stickslip
     for (unsigned int iteration = 0; iteration < most_iterations; ++iteration)
       {
         shape.evaluate(xi, values);
-        Tensor<1, dim> x;
-        for (unsigned int j = 0; j < values.value.size(); ++j)
-          x += values.value[j] * positions[j];
+        const Tensor<1, dim> x = interpolate<dim>(values.value, positions);
         const auto a = surface_tangents<dim>(values.gradient, positions);
         Tensor<2, dim - 1> jacobian;
         for (unsigned int d = 0; d < dim - 1; ++d)
@@ -260,19 +273,13 @@ namespace stickslip
 
   template <int dim>
   void
-  SegmentRule<dim>::add_ends(const ProjectionPlane<dim>           &plane,
-                             const Side                           &slave,
-                             const std::vector<Point<dim>>        &reference,
-                             const Side                           &opposite,
-                             const std::vector<std::vector<bool>> &is_end,
-                             const unsigned int                    master,
-                             std::vector<SegmentEnd<dim>>         &ends) const
+  SegmentRule<dim>::add_ends(const ProjectionPlane<dim>    &plane,
+                             const Side                    &slave,
+                             const std::vector<Point<dim>> &reference,
+                             const Side                    &opposite,
+                             const unsigned int             master,
+                             std::vector<SegmentEnd<dim>>  &ends) const
   {
-    const auto lies_on =
-      [](const Border<dim - 1> &border, const auto &cell, const unsigned i) {
-        return is_on_edge<dim - 1>(border.at(0.), cell, i) &&
-               is_on_edge<dim - 1>(border.at(1.), cell, i);
-      };
     const std::vector<Tensor<1, dim>> undeformed(reference.begin(),
                                                  reference.begin() +
                                                    shape.n_nodes());
@@ -286,16 +293,19 @@ namespace stickslip
           for (const auto &border : borders_of<dim - 1>(
                  intersection<dim - 1>(slave_cell, master_cell)))
             {
-              unsigned int edge = numbers::invalid_unsigned_int;
-              for (unsigned int i = 0; i < master_cell.size(); ++i)
-                if (is_end[j][i] && lies_on(border, master_cell, i))
-                  edge = i;
-              for (unsigned int i = 0; i < slave_cell.size(); ++i)
-                if (lies_on(border, slave_cell, i))
-                  edge = numbers::invalid_unsigned_int;
-              if (edge == numbers::invalid_unsigned_int)
+              const auto slave_edge  = edge_below<dim - 1>(border, slave_cell);
+              const auto master_edge = edge_below<dim - 1>(border, master_cell);
+              const bool on_slave    = slave_edge.has_value();
+              if (!(on_slave
+                      ? slave.projected.moving_edges[c][*slave_edge]
+                      : master_edge.has_value() &&
+                          opposite.projected.moving_edges[j][*master_edge]))
                 continue;
-              const unsigned int next = (edge + 1) % master_cell.size();
+              const auto        &cell    = on_slave ? slave_cell : master_cell;
+              const auto        &corners = on_slave ? slave.projected.corners[c]
+                                                    : opposite.projected.corners[j];
+              const unsigned int edge = on_slave ? *slave_edge : *master_edge;
+              const unsigned int next = (edge + 1) % cell.size();
               for (unsigned int q = 0; q < edge_rule.size(); ++q)
                 {
                   Point<dim - 1> p      = border.begin;
@@ -306,12 +316,12 @@ namespace stickslip
                       length = border.way.norm();
                     }
                   SegmentEnd<dim> end;
-                  end.master = master;
-                  end.nodes  = {{opposite.projected.corners[j][edge],
-                                 opposite.projected.corners[j][next]}};
+                  end.master   = master;
+                  end.on_slave = on_slave;
+                  end.nodes    = {{corners[edge], corners[next]}};
                   if constexpr (dim == 3)
-                    end.share = (p - master_cell[edge]).norm() /
-                                (master_cell[next] - master_cell[edge]).norm();
+                    end.share = (p - cell[edge]).norm() /
+                                (cell[next] - cell[edge]).norm();
                   end.eta = opposite.projected.centres[j];
                   end.xi  = slave.projected.centres[c];
                   for (unsigned int d = 0; d < dim - 1; ++d)

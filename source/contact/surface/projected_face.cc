@@ -50,17 +50,12 @@ namespace stickslip
                    const FaceShape<dim>              &shape,
                    const std::vector<Tensor<1, dim>> &positions)
   {
-    Point<dim - 1> centre;
-    for (unsigned int d = 0; d < dim - 1; ++d)
-      centre[d] = 0.5;
-    FaceShapeValues<dim> values;
-    shape.evaluate(centre, values);
+    const FaceShapeValues<dim> &values = shape.at_centre();
     const auto a = surface_tangents<dim>(values.gradient, positions);
 
     ProjectionPlane<dim> plane;
-    for (unsigned int j = 0; j < positions.size(); ++j)
-      plane.origin += values.value[j] * positions[j];
-    plane.n = -slave.orientation * surface_normal<dim>(a);
+    plane.origin = interpolate<dim>(values.value, positions);
+    plane.n      = -slave.orientation * surface_normal<dim>(a);
     plane.n /= plane.n.norm();
     if constexpr (dim == 2)
       plane.e[0] = Tensor<1, 2>({-plane.n[1], plane.n[0]});

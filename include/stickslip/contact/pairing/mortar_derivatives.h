@@ -26,10 +26,8 @@ namespace stickslip
                   MortarDerivative<dim>                 &derivative) const;
 
   private:
-    const FaceShape<dim>              displacement_shape;
-    const FaceShape<dim>              multiplier_shape;
-    FaceShapeValues<dim>              at_centre;
-    std::vector<FaceShapeValues<dim>> at_node; ///< displacement nodes
+    const FaceShape<dim> displacement_shape;
+    const FaceShape<dim> multiplier_shape;
 
     /// Derivative of the integrals of psi_l N(master), per master face:
     /// [master node][(slave nodes, master nodes) * dim].

@@ -56,9 +56,8 @@ namespace stickslip
             const MasterPatch<dim>                &patch) const;
 
   private:
-    const FaceShape<dim>              displacement_shape;
-    const FaceShape<dim>              multiplier_shape;
-    std::vector<FaceShapeValues<dim>> at_node; ///< displacement nodes
+    const FaceShape<dim> displacement_shape;
+    const FaceShape<dim> multiplier_shape;
   };
 } // namespace stickslip
 

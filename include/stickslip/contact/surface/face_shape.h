@@ -49,11 +49,41 @@ namespace stickslip
     void
     evaluate(const Point<dim - 1> &xi, FaceShapeValues<dim> &shape) const;
 
+    /// evaluate() in the middle of the face.
+    const FaceShapeValues<dim> &
+    at_centre() const
+    {
+      return centre_values;
+    }
+
+    /// evaluate() at node @p j.
+    const FaceShapeValues<dim> &
+    at_node(const unsigned int j) const
+    {
+      return node_values[j];
+    }
+
   private:
     unsigned int                                 n_1d;
     std::vector<Polynomials::Polynomial<double>> basis;
     std::vector<Point<dim - 1>>                  nodes;
+    FaceShapeValues<dim>                         centre_values;
+    std::vector<FaceShapeValues<dim>>            node_values;
   };
+
+
+
+  /// sum_j N_j x_j over the nodes that @p N has values for.
+  template <int dim>
+  Tensor<1, dim>
+  interpolate(const std::vector<double>         &N,
+              const std::vector<Tensor<1, dim>> &nodes)
+  {
+    Tensor<1, dim> x;
+    for (unsigned int j = 0; j < N.size(); ++j)
+      x += N[j] * nodes[j];
+    return x;
+  }
 } // namespace stickslip
 
 #endif

@@ -24,9 +24,9 @@ namespace stickslip
 
 
 
-  /// A point of the border of a segment where the master surface ends: the
-  /// border moves over the slave face, with the straight line between two
-  /// nodes of the master.
+  /// A point of the border of a segment that moves over the slave face, with
+  /// the straight line between two nodes: of the master where its surface ends,
+  /// of either face where they are curved.
   template <int dim>
   struct SegmentEnd
   {
@@ -35,7 +35,8 @@ namespace stickslip
     unsigned int   master = 0;
     double         weight = 0.; ///< undeformed slave area per motion
     Tensor<1, dim> outward;     ///< unit normal of the border, in the plane
-    std::array<unsigned int, 2> nodes{};    ///< of the master face
+    bool           on_slave = false;     ///< the line is one of the slave face
+    std::array<unsigned int, 2> nodes{}; ///< of that face
     double                      share = 0.; ///< of the second of them
   };
 
@@ -73,18 +74,15 @@ namespace stickslip
                const unsigned int              master,
                std::vector<SegmentPoint<dim>> &points) const;
 
-    /// Appends the points of those borders of the intersection that lie on an
-    /// edge of the master's cells but not of the slave's. @p is_end[cell][i]:
-    /// nothing continues the master surface beyond the edge from corner i to
-    /// the next one (2D: beyond corner i).
+    /// Appends the points of those borders of the intersection that move
+    /// (ProjectedFace::moving_edges).
     void
-    add_ends(const ProjectionPlane<dim>           &plane,
-             const Side                           &slave,
-             const std::vector<Point<dim>>        &reference,
-             const Side                           &opposite,
-             const std::vector<std::vector<bool>> &is_end,
-             const unsigned int                    master,
-             std::vector<SegmentEnd<dim>>         &ends) const;
+    add_ends(const ProjectionPlane<dim>    &plane,
+             const Side                    &slave,
+             const std::vector<Point<dim>> &reference,
+             const Side                    &opposite,
+             const unsigned int             master,
+             std::vector<SegmentEnd<dim>>  &ends) const;
 
     const FaceShape<dim> &
     face_shape() const

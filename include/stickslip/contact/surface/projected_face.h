@@ -51,9 +51,12 @@ namespace stickslip
   {
     std::vector<ConvexCell<dim - 1>>       cells;
     std::vector<std::vector<unsigned int>> corners; ///< nodes of the cells
-    std::vector<Point<dim - 1>> centres; ///< of the cells, parametric
-    Point<dim - 1>              low;     ///< of all cells
-    Point<dim - 1>              high;
+    /// [cell][i]: the edge from corner i to the next one (2D: corner i) moves
+    /// over the slave face, and no neighbour takes over what it passes.
+    std::vector<std::vector<bool>> moving_edges;
+    std::vector<Point<dim - 1>>    centres; ///< of the cells, parametric
+    Point<dim - 1>                 low;     ///< of all cells
+    Point<dim - 1>                 high;
   };
 
   template <int dim>
