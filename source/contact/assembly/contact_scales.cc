@@ -55,36 +55,10 @@ namespace stickslip
       const auto  slave = pair.slave_position(point);
       std::vector<double> N;
       pair.patch->face_shape().evaluate_values(pairing.xi, N);
-      Tensor<1, dim> x_m;
-      for (unsigned int k = 0; k < N.size(); ++k)
-        x_m += N[k] * nodes[k];
-      const double d_n = pairing.n * (slave.x - x_m) - slave.gap_offset;
+      const double d_n =
+        pairing.n * (slave.x - interpolate<dim>(N, nodes)) - slave.gap_offset;
       return d_n >= -touching_gap *
                       pair.slave_faces[point.geometry.slave_face].face.diameter;
-    }
-
-
-
-    /// In a pair with segments that has to hold a body, and where nothing is
-    /// closed yet, the nodes that touch hold it in the first tangent: the load
-    /// is to close them. Collective.
-    template <int dim>
-    void
-    hold_by_touching_nodes(ContactAssembler<dim> &contact,
-                           ContactPair<dim>      &pair)
-    {
-      unsigned int n_closed = 0;
-      for (auto &point : pair.points)
-        if (contact.live_closed(pair, point))
-          ++n_closed;
-        else
-          point.scales.initial_stick = 0.;
-      if (!pair.has_to_hold ||
-          Utilities::MPI::sum(n_closed, contact.get_communicator()) > 0)
-        return;
-      for (auto &point : pair.points)
-        if (point.pairing.paired && touches_at_node(pair, point))
-          point.scales.initial_stick = point.scales.stiffness;
     }
 
 
@@ -144,7 +118,8 @@ namespace stickslip
           parameters.regularization.factors(parameters.quadrature);
 
         std::vector<double> thresholds;
-        double              largest = 0.;
+        double              largest  = 0.;
+        unsigned int        n_closed = 0;
         for (auto &point : pair->points)
           {
             const double height =
@@ -153,7 +128,8 @@ namespace stickslip
               parameters.friction_coefficient * roundoff_strain *
               contact_stiffness(*pair, point) * height;
             const bool closed = contact.live_closed(*pair, point);
-            double     s      = parameters.tresca_threshold;
+            n_closed += closed ? 1 : 0;
+            double s = parameters.tresca_threshold;
             if (parameters.friction == Friction::Coulomb)
               s = closed ? contact.live_threshold(*pair, point) : 0.;
             if (s <= point.scales.negligible_threshold)
@@ -162,6 +138,11 @@ namespace stickslip
             largest = std::max(largest, s);
           }
         largest = Utilities::MPI::max(largest, contact.get_communicator());
+        // Where nothing is closed yet, the nodes that touch hold the body: the
+        // load is to close them.
+        const bool touching_nodes_hold =
+          pair->mortar && pair->has_to_hold &&
+          Utilities::MPI::sum(n_closed, contact.get_communicator()) == 0;
 
         for (unsigned int i = 0; i < pair->points.size(); ++i)
           {
@@ -192,10 +173,13 @@ namespace stickslip
               parameters.has_friction() && largest == 0.;
             scales.initial_stick =
               is_first_pressure_to_come && pair->has_to_hold ? k : 0.;
-            scales.open_row = open_row_factor * s / r.r_t_law;
+            scales.initial_contact = touching_nodes_hold &&
+                                         point.pairing.paired &&
+                                         touches_at_node(*pair, point)
+                                       ? k
+                                       : 0.;
+            scales.open_row        = open_row_factor * s / r.r_t_law;
           }
-        if (pair->mortar)
-          hold_by_touching_nodes(contact, *pair);
       }
   }
 

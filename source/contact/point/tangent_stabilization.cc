@@ -27,11 +27,11 @@ namespace stickslip
   hold_touching_node(const ContactPoint<dim> &point,
                      ContactEvaluation<dim>  &state)
   {
-    if (state.status.closed)
+    if (state.status.closed || point.scales.initial_contact == 0.)
       return;
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int c = 0; c < GeneralizedCoordinates<dim>::n; ++c)
-        state.response.D_traction[i][c] += point.scales.initial_stick *
+        state.response.D_traction[i][c] += point.scales.initial_contact *
                                            state.kinematics.n[i] *
                                            state.kinematics.D_d_n[c];
   }

@@ -51,6 +51,9 @@ namespace stickslip
     /// Tangential stiffness in the tangent as long as no point has a threshold
     /// [stress/length].
     double initial_stick = 0.;
+    /// Normal stiffness in the tangent of a mortar node that touches although
+    /// its average is open, as long as nothing is closed [stress/length].
+    double initial_contact = 0.;
   };
 
 

@@ -22,9 +22,8 @@ namespace stickslip
   assume_stick_before_first_pressure(const ContactPoint<dim> &point,
                                      ContactEvaluation<dim>  &state);
 
-  /// A mortar node that touches although its average is open
-  /// (contact_scales.cc) holds a body that nothing else holds: a normal spring
-  /// of the stiffness ContactScales::initial_stick.
+  /// A mortar node that touches although its average is open holds a body that
+  /// nothing else holds, by a normal spring (ContactScales::initial_contact).
   template <int dim>
   void
   hold_touching_node(const ContactPoint<dim> &point,
