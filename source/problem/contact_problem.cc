@@ -93,8 +93,24 @@ namespace stickslip
     force_floor = 1e-8 * modulus * std::pow(extent, dim - 1);
     // A spring on one side of a body is lost in the roundoff of its matrix.
     softest_spring = 1e-11 * modulus / extent;
-    x_old          = zero_state();
+    find_symmetry_planes();
+    x_old = zero_state();
     solid_assembler->stabilization().set_start(u_old);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactProblem<dim>::find_symmetry_planes()
+  {
+    Constraints supports(dofs.relevant);
+    boundary_conditions.add_prescribed_displacements(
+      dofs.mapping, dofs.dof_handler, time, zero_state().block(0), supports);
+    supports.close();
+    for (const auto &pair : contact_assembler->contact_pairs())
+      if (pair->mortar)
+        pair->mortar->find_symmetry_planes(supports);
   }
 
 
@@ -245,6 +261,7 @@ namespace stickslip
 
     forces = internal.block(0);
     forces += contact.block(0);
+    forces_of_contact = contact.block(0);
     unbalanced = forces;
     unbalanced -= external.block(0);
 

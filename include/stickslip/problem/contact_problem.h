@@ -108,6 +108,14 @@ namespace stickslip
       return forces;
     }
 
+    /// Contact forces on the nodes of both bodies, with the sign of internal
+    /// forces.
+    const LA::Vector &
+    contact_forces() const
+    {
+      return forces_of_contact;
+    }
+
     /// The forces that supports exert in the last evaluated state
     /// (solid/support_forces.h). Collective.
     std::vector<std::pair<std::string, Tensor<1, dim>>>
@@ -259,7 +267,8 @@ namespace stickslip
     LA::BlockVector x_old;
     LA::Vector      u, u_old, lambda; ///< ghosted
     LA::Vector      forces;           ///< internal plus contact
-    LA::Vector      unbalanced;       ///< forces minus loads
+    LA::Vector      forces_of_contact;
+    LA::Vector      unbalanced; ///< forces minus loads
     double          force_floor    = 0.;
     double          softest_spring = 0.; ///< whose effect is above roundoff
 
@@ -271,6 +280,9 @@ namespace stickslip
 
     LA::BlockSparseMatrix system_matrix;
     LA::BlockVector       rhs;
+
+    void
+    find_symmetry_planes();
 
     void
     update_ghost_layout();

@@ -268,7 +268,8 @@ namespace stickslip
         const auto               D_node_normal = unit_normal_derivative(
           slave, displacement_shape.at_node(around.displacement));
         for (unsigned int k = 0; k < n; ++k)
-          derivative.D_normal[around.stencil[k]] += D_node_normal[k];
+          derivative.D_normal[around.stencil[k]] +=
+            node.projection * D_node_normal[k];
         if (!average.paired)
           continue;
 

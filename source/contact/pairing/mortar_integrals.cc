@@ -76,6 +76,7 @@ namespace stickslip
             slave.positions));
         frame.n += v / v.norm();
       }
+    frame.n      = node.projection * frame.n;
     frame.length = frame.n.norm();
     frame.n /= frame.length;
     for (unsigned int k = 0; k < node.faces.front().stencil.size(); ++k)

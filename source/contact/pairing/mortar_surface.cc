@@ -1,5 +1,7 @@
 #include <stickslip/contact/pairing/mortar_surface.h>
 
+#include <stickslip/contact/pairing/symmetry_planes.h>
+
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
@@ -205,6 +207,27 @@ namespace stickslip
     for (auto &node : nodes)
       for (const auto &around : node.faces)
         node.area += weights[around.face][around.multiplier];
+  }
+
+
+
+  template <int dim>
+  void
+  MortarSurface<dim>::find_symmetry_planes(const Constraints &supports)
+  {
+    for (MortarNode<dim> &node : nodes)
+      {
+        std::vector<Point<dim>> positions(node.n_stencil_nodes());
+        for (const auto &around : node.faces)
+          for (unsigned int k = 0; k < around.stencil.size(); ++k)
+            positions[around.stencil[k]] =
+              faces[around.face].face.reference_positions[k];
+        const auto &own = node.faces.front();
+        node.projection = symmetry_projection(positions,
+                                              node.dofs,
+                                              own.stencil[own.displacement],
+                                              supports);
+      }
   }
 
 

@@ -64,6 +64,10 @@ namespace stickslip
       return faces;
     }
 
+    /// See symmetry_projection().
+    void
+    find_symmetry_planes(const Constraints &supports);
+
     /// What is added to the gap: @p offset of a reference position.
     void
     update_gap_offsets(const std::function<double(const Point<dim> &)> &offset);

@@ -35,6 +35,9 @@ namespace stickslip
     /// per node of the stencil.
     std::vector<double> direction;
     double              area = 0.; ///< integral of psi_j, undeformed
+    /// Onto the symmetry planes that the node lies on: its normal is in them,
+    /// which the facets of one half do not know.
+    Tensor<2, dim> projection = unit_symmetric_tensor<dim>();
 
     unsigned int
     n_stencil_nodes() const

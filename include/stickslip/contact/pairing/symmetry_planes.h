@@ -1,0 +1,32 @@
+#ifndef stickslip_contact_pairing_symmetry_planes_h
+#define stickslip_contact_pairing_symmetry_planes_h
+
+#include <stickslip/base/types.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+
+#include <vector>
+
+namespace stickslip
+{
+  using namespace dealii;
+
+  /**
+   * The projection onto the symmetry planes that a node of a surface lies on.
+   * A plane is one if the node cannot move across it (@p supports, closed), and
+   * if the facets around it are all on one side of it. A node that cannot move
+   * at all tells nothing: the identity.
+   *
+   * @p positions: undeformed, of the nodes of these facets; @p dofs: their
+   * displacements, [node * dim + c]; the node is number @p own among them.
+   */
+  template <int dim>
+  Tensor<2, dim>
+  symmetry_projection(const std::vector<Point<dim>>              &positions,
+                      const std::vector<types::global_dof_index> &dofs,
+                      const unsigned int                          own,
+                      const Constraints                          &supports);
+} // namespace stickslip
+
+#endif
