@@ -194,6 +194,7 @@ namespace stickslip
       {
         cursor.entry(fields.displacement, i);
         cursor.entry(fields.nodal_forces, i);
+        cursor.entry(fields.contact_forces, i);
         cursor.entry(fields.rate, i);
       }
     cursor.cell_history(problem.solid().point_history(),

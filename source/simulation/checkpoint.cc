@@ -42,16 +42,19 @@ namespace stickslip
       const auto           &multipliers  = problem.contact().multipliers();
       const MPI_Comm        communicator = problem.contact().get_communicator();
       StateVectors          fields;
-      for (LA::Vector *field :
-           {&fields.displacement, &fields.nodal_forces, &fields.rate})
+      for (LA::Vector *field : {&fields.displacement,
+                                &fields.nodal_forces,
+                                &fields.contact_forces,
+                                &fields.rate})
         field->reinit(layout.owned, layout.relevant, communicator);
       fields.multipliers.reinit(multipliers.locally_owned(),
                                 multipliers.locally_relevant(),
                                 communicator);
-      fields.displacement = state.x.block(0);
-      fields.nodal_forces = state.nodal_forces;
-      fields.rate         = state.rate;
-      fields.multipliers  = state.x.block(1);
+      fields.displacement   = state.x.block(0);
+      fields.nodal_forces   = state.nodal_forces;
+      fields.contact_forces = state.contact_forces;
+      fields.rate           = state.rate;
+      fields.multipliers    = state.x.block(1);
       return fields;
     }
 
@@ -242,7 +245,7 @@ namespace stickslip
 
     accepted.x             = problem.zero_state();
     const LA::Vector &zero = accepted.x.block(0);
-    StateVectors      fields{zero, zero, zero, accepted.x.block(1)};
+    StateVectors      fields{zero, zero, zero, zero, accepted.x.block(1)};
     std::string       damage =
       first_error(read_own_cells(checkpoint, description, problem, fields),
                   communicator);
@@ -251,13 +254,15 @@ namespace stickslip
     throw_collectively(damage, communicator);
     for (LA::Vector *field : {&fields.displacement,
                               &fields.nodal_forces,
+                              &fields.contact_forces,
                               &fields.rate,
                               &fields.multipliers})
       field->compress(VectorOperation::insert);
-    accepted.x.block(0)   = fields.displacement;
-    accepted.x.block(1)   = fields.multipliers;
-    accepted.nodal_forces = fields.nodal_forces;
-    accepted.rate         = fields.rate;
+    accepted.x.block(0)     = fields.displacement;
+    accepted.x.block(1)     = fields.multipliers;
+    accepted.nodal_forces   = fields.nodal_forces;
+    accepted.contact_forces = fields.contact_forces;
+    accepted.rate           = fields.rate;
     problem.restore(); // the state goes on from the accepted histories
     physics = description.physics;
     return description.scalars;

@@ -20,7 +20,7 @@ namespace stickslip
   namespace
   {
     const std::string checkpoint_mark   = "stickslip checkpoint ";
-    const std::string checkpoint_format = "3";
+    const std::string checkpoint_format = "4";
     const std::string checkpoint_first_line =
       checkpoint_mark + checkpoint_format;
     const std::string checkpoint_last_line = "end";
@@ -206,6 +206,7 @@ namespace stickslip
       out << ' ' << n;
     out << "\nexternal work = " << scalars.work.external
         << "\nfriction work = " << scalars.work.friction
+        << "\ncontact work = " << scalars.work.contact
         << "\nstabilization work = " << scalars.work.stabilization
         << "\ngeometry =";
     for (const double value : problem.geometry)
@@ -268,6 +269,7 @@ namespace stickslip
     read_list("last iterations", scalars.control.last_iterations);
     read("external work", scalars.work.external);
     read("friction work", scalars.work.friction);
+    read("contact work", scalars.work.contact);
     read("stabilization work", scalars.work.stabilization);
     read_list("geometry", problem.geometry);
     problem.properties.clear();

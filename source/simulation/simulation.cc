@@ -38,8 +38,8 @@ namespace stickslip
                                      !parameters.contact_pairs.empty()),
                    parameters.algorithm.newton.max_iterations)
     , x(problem.zero_state())
-    , accepted{x, x.block(0), x.block(0)}
-    , warnings(parameters.contact_pairs)
+    , accepted{x, x.block(0), x.block(0), x.block(0)}
+    , warnings(parameters.contact_pairs, parameters.bodies)
     , field_output(parameters.output, mesh.bodies, communicator)
     , contact_output(parameters.output, communicator)
     , point_values(parameters.output, mesh.bodies, communicator)
@@ -174,9 +174,12 @@ namespace stickslip
       0.5 * (accepted.nodal_forces * step + problem.nodal_forces() * step);
     work.stabilization +=
       problem.solid().stabilization_work(problem.ghosted_displacement());
-    accepted.nodal_forces = problem.nodal_forces();
-    accepted.x            = x;
-    accepted.rate         = step;
+    work.contact +=
+      0.5 * (accepted.contact_forces * step + problem.contact_forces() * step);
+    accepted.nodal_forces   = problem.nodal_forces();
+    accepted.contact_forces = problem.contact_forces();
+    accepted.x              = x;
+    accepted.rate           = step;
     accepted.rate *= 1. / (steps().next_time() - steps().time());
     step_control.accept_step(solved, problem.counts.newton_iterations);
 

@@ -9,6 +9,7 @@ namespace stickslip
   {
     statistics.add("external_work", external);
     statistics.add("friction_work", friction);
+    statistics.add("contact_work", contact);
     statistics.add("stabilization_work", stabilization);
   }
 

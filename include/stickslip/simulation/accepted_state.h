@@ -11,8 +11,9 @@ namespace stickslip
    */
   struct AcceptedState
   {
-    LA::BlockVector x;            ///< displacements, multipliers
-    LA::Vector      nodal_forces; ///< internal plus contact forces at x
+    LA::BlockVector x;              ///< displacements, multipliers
+    LA::Vector      nodal_forces;   ///< internal plus contact forces at x
+    LA::Vector      contact_forces; ///< at x
     /// Displacement per unit of load time over the last step, which predicts
     /// that of the next one; zero before the first.
     LA::Vector rate;

@@ -17,6 +17,7 @@ namespace stickslip
   {
     LA::Vector displacement;
     LA::Vector nodal_forces;
+    LA::Vector contact_forces;
     LA::Vector rate;
     LA::Vector multipliers;
   };

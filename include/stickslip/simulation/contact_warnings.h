@@ -5,6 +5,8 @@
 
 #include <stickslip/contact/point/contact_parameters.h>
 
+#include <stickslip/mesh/body_parameters.h>
+
 #include <stickslip/output/contact_resultants.h>
 
 #include <string>
@@ -17,7 +19,8 @@ namespace stickslip
   class ContactWarnings
   {
   public:
-    explicit ContactWarnings(const NamedList<ContactPairParameters> &pairs);
+    ContactWarnings(const NamedList<ContactPairParameters> &pairs,
+                    const NamedList<BodyParameters>        &bodies);
 
     /// Texts about questionable parameters.
     const std::vector<std::string> &

@@ -13,6 +13,10 @@ namespace stickslip
   {
     double external = 0.; ///< of loads and supports
     double friction = 0.; ///< dissipated by friction
+    /// What all contact forces take from the bodies. More than friction
+    /// dissipates is an error of the discretization: normals that jump between
+    /// facets brake without friction.
+    double contact = 0.;
     /// Dissipated by viscous stabilization (see ViscousStabilization); it tells
     /// how far the path is from a quasi-static one.
     double stabilization = 0.;
