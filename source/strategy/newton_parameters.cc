@@ -20,6 +20,7 @@ namespace stickslip
   all_forcings()
   {
     static const Choices<Forcing> choices = {{"none", Forcing::none},
+                                             {"careful", Forcing::careful},
                                              {"Eisenstat-Walker",
                                               Forcing::eisenstat_walker}};
     return choices;
@@ -74,11 +75,11 @@ namespace stickslip
       forcing,
       all_forcings(),
       "How exactly an iterative linear solver works. none: always to its "
-      "'Relative tolerance'. Eisenstat-Walker: to what the Newton iteration "
-      "can "
-      "make use of, at least two digits; faster, but the first iterations take "
-      "another path, which can end in another step size or, with friction, in "
-      "another state, above all of bodies that only contact holds. MUMPS is "
-      "exact anyway.");
+      "'Relative tolerance'. careful: to what the Newton iteration can make "
+      "use of, at least four digits, so that contact statuses come out as "
+      "with exact solves. Eisenstat-Walker: likewise, but at least two digits; "
+      "the first iterations may take another path, which can end in another "
+      "step size or, with friction, in another state, above all of bodies that "
+      "only contact holds. MUMPS is exact anyway.");
   }
 } // namespace stickslip

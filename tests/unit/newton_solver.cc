@@ -573,7 +573,8 @@ namespace
   {
     std::cout
       << "Forcing terms of x^2 = 2, residuals 2, 1/4, 1/144, 1/166464\n";
-    for (const Forcing forcing : {Forcing::none, Forcing::eisenstat_walker})
+    for (const Forcing forcing :
+         {Forcing::none, Forcing::careful, Forcing::eisenstat_walker})
       {
         Equation         square([](const double x) { return x * x - 2.; },
                         [](const double x) { return 2. * x; });

@@ -10,7 +10,8 @@ namespace stickslip
    * being the iterate that preceded it: choice 2 of Eisenstat and Walker,
    * "Choosing the forcing terms in an inexact Newton method", SIAM J. Sci.
    * Comput. 17 (1996), with gamma = 0.9 and exponent 2, but not less than a
-   * tenth of what the tolerances need, and at most 0.01. 0 without forcing.
+   * tenth of what the tolerances need, and at most 0.01 (Forcing::careful:
+   * 1e-4). 0 without forcing.
    */
   double
   forcing_term(const Forcing               forcing,

@@ -22,7 +22,8 @@ namespace stickslip
   enum class Forcing
   {
     none,            ///< to the tolerance of the linear solver
-    eisenstat_walker ///< to what the Newton iteration can make use of
+    careful,         ///< to what the iteration can make use of, four digits
+    eisenstat_walker ///< likewise, two digits
   };
 
   const Choices<Forcing> &
@@ -39,7 +40,7 @@ namespace stickslip
     double       increment_tolerance   = 1e-3;
     LineSearch   line_search           = LineSearch::automatic;
     unsigned int max_halvings          = 5;
-    Forcing      forcing               = Forcing::none;
+    Forcing      forcing               = Forcing::careful;
 
     void
     add_parameters(ParameterHandler &prm);
