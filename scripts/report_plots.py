@@ -319,7 +319,7 @@ def failed_points(table, dimension):
         rows = [i for i, value in enumerate(table["status"]) if value == status]
         axes.plot(*([table[axis][i] for i in rows] for axis in kept), "o", markersize=4, color=colours.get(status, "#6b4c9a"),
                   label=str(status))
-    cycling = [i for i, period in enumerate(table.get("period", [])) if period]
+    cycling = [i for i, period in enumerate(table.get("period", [])) if period > 0]
     if cycling:
         axes.plot(*([table[axis][i] for i in cycling] for axis in kept), "o", markersize=10, markerfacecolor="none",
                   markeredgecolor="#b5332e", label="cycles between statuses")

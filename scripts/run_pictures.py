@@ -20,8 +20,8 @@ from matplotlib.patches import Patch
 from vtk.util.numpy_support import vtk_to_numpy
 
 from contact_curves import contact_curves
-from run_results import ResultsError
-from vtk_pictures import (add_scalar, cell_edges, colour_range, line_actor, lookup_table, outline_edges, picture_of, read_grid,
+from stickslip import ResultsError
+from vtk_pictures import (add_scalar, cell_edges, colour_range, line_actor, lookup_table, outline_edges, picture_of,
                           split_by_value, surface_actor, surface_of, warped)
 
 STATES = [("no partner", "#e8e8e8"), ("open", "#bdbdbd"), ("stick", "#2b6cb0"), ("slip", "#e07b39")]
@@ -65,16 +65,16 @@ class RunPictures:
         first, last = self.run.bodies.steps[0], self.run.bodies.steps[-1]
         if first is last:
             return False
-        a, b = (vtk_to_numpy(read_grid(step).GetPoints().GetData()) for step in (first, last))
+        a, b = (vtk_to_numpy(step.vtk().GetPoints().GetData()) for step in (first, last))
         return a.shape != b.shape or bool((a != b).any())
 
     def _grids(self, step):
         """Deformed bodies, deformed contact surfaces (None without any)."""
         contact_step = self.run.contact.at_step(step.number)
-        contact = read_grid(contact_step) if contact_step else None
+        contact = contact_step.vtk() if contact_step else None
         if contact is not None and contact.GetNumberOfCells() == 0:
             contact = None
-        return read_grid(step), contact
+        return step.vtk(), contact
 
     def _look_at_all_steps(self):
         """Ranges, bounds, views and curves: one pass over the steps."""

@@ -10,7 +10,7 @@ import pathlib
 import re
 import tomllib
 
-from parameter_file import ParameterFileError, Parameters
+from stickslip import ParameterFileError, Parameters
 
 KEYS = {"title": str, "case": str, "ranks": int, "time limit": (int, float), "fixed": dict, "grid": dict, "runs": list,
         "collect": dict, "plots": list}
@@ -27,17 +27,12 @@ def short_name(name):
     return name[len(LABEL):] if name.startswith(LABEL) else name.rsplit("/", 1)[-1]
 
 
-def text_of(value):
-    """A value of the TOML file as the program wants it."""
-    return str(value).lower() if isinstance(value, bool) else str(value)
-
-
 class StudyRun:
     """One run: the value of each varied parameter."""
 
     def __init__(self, own, combination):
         """`own`: of [[runs]]; `combination`: of [grid]."""
-        self.values = {name: text_of(value) for name, value in {**own, **combination}.items()}
+        self.values = {name: Parameters.text_of(value) for name, value in {**own, **combination}.items()}
         named = {name for name in own if name.startswith(LABEL)} or set(own)
         self.label = self._make_label([name for name in self.values if name in named or name in combination])
 
@@ -67,9 +62,7 @@ class Collected:
         self.how, self.table, self.column = words
 
     def of(self, values):
-        """The number that a column of a table gives, None for an empty one."""
-        if not values:
-            return None
+        """What a column of a table gives, which has rows: a number, or a word."""
         return {"last": lambda: values[-1], "first": lambda: values[0], "max": lambda: max(values), "min": lambda: min(values),
                 "total": lambda: sum(values)}[self.how]()
 
@@ -95,7 +88,7 @@ class Study:
             self.parameters = Parameters.read(self.case)
         except ParameterFileError as error:
             self._complain(str(error))
-        self.fixed = {name: text_of(value) for name, value in data.get("fixed", {}).items()}
+        self.fixed = {name: Parameters.text_of(value) for name, value in data.get("fixed", {}).items()}
         self.runs = self._make_runs(data.get("grid", {}), data.get("runs", []))
         self.columns = self._short_names()
         self.collected = [Collected(name, text, self._complain) for name, text in data.get("collect", {}).items()]

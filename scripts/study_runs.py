@@ -7,19 +7,19 @@ import pathlib
 import shutil
 import subprocess
 
-from run_results import PARAMETERS, ROOT, ResultsError, Run
-from benchmark import environment, measure
+from stickslip import Results, ResultsError, StickslipError
+from stickslip.results import PARAMETERS
+from stickslip.running import LOG, STATES, command_of, environment, find_program, measure, variables_of
 from study_file import ALWAYS, StudyError
 
 RECORD = "study.json"  # in the directory of a run: written when it is over
-STATES = {0: "done", 1: "wrong input", 2: "no convergence", 3: "internal error", 4: "check failed"}
 
 
 def program():
-    path = os.environ.get("STICKSLIP", str(ROOT / "build" / "stickslip"))
-    if not os.access(path, os.X_OK):
-        raise StudyError(f"The program {path} is missing; scripts/run builds it, or set STICKSLIP.")
-    return path
+    try:
+        return find_program()
+    except StickslipError as error:
+        raise StudyError(str(error)) from error
 
 
 class StudyRuns:
@@ -32,12 +32,7 @@ class StudyRuns:
         return self.output / run.label
 
     def command(self, run, directory):
-        command = [program(), str(self.study.case), "--output-directory", str(directory)]
-        if self.study.ranks > 1:
-            command = ["mpirun", "--oversubscribe", "-np", str(self.study.ranks), *command]
-        for name, value in {**self.study.fixed, **run.settings}.items():
-            command += ["--set", f"{name}={value}"]
-        return command
+        return command_of(self.study.case, directory, {**self.study.fixed, **run.settings}, self.study.ranks, program())
 
     def fingerprint(self, run):
         text = self.study.parameters_of(run).text()
@@ -84,7 +79,8 @@ class StudyRuns:
         directory.mkdir(parents=True)
         text = f"# {self.version}, {self.study.ranks} rank{'s' if self.study.ranks > 1 else ''}\n"
         (directory / PARAMETERS).write_text(text + self.study.parameters_of(run).text())
-        usage = measure(self.command(run, directory.resolve()), directory / "log.txt", self.output, timeout=self.study.time_limit)
+        usage = measure(self.command(run, directory.resolve()), directory / LOG, self.output,
+                        variables_of(self.study.ranks), self.study.time_limit)
         state = "time limit" if usage.is_out_of_time else STATES.get(usage.exit_code, "killed")
         if state != "killed":
             record = {"state": state, "exit_code": usage.exit_code, "seconds": round(usage.seconds, 3), "program": self.version,
@@ -120,7 +116,7 @@ class StudyRuns:
             return row
         row["exit_code"], row["seconds"] = record["exit_code"], record["seconds"]
         try:
-            result = Run(self.directory(run))
+            result = Results(self.directory(run))
         except ResultsError:
             return row
         row["load_steps"] = result.n_steps
@@ -133,13 +129,12 @@ class StudyRuns:
 
     def _collect(self, result, collected):
         table = result.table(collected.table)
-        if not table:
+        if not table.n_rows:
             return ""
         if collected.column not in table:
             raise StudyError(f"{self.study.path}: collect/{collected.name}: {collected.table} has no column "
                              f"'{collected.column}'; it has {', '.join(table)}.")
-        value = collected.of(table[collected.column])
-        return "" if value is None else value
+        return collected.of(table[collected.column]).item()
 
     def rows(self):
         return [self.row(run) for run in self.study.runs]

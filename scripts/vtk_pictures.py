@@ -5,9 +5,7 @@ import sys
 
 import numpy as np
 import vtk
-from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-
-XDMF_CELLS = {"Polyline": vtk.VTK_LINE, "Quadrilateral": vtk.VTK_QUAD, "Hexahedron": vtk.VTK_HEXAHEDRON}
+from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 
 
 def run_under_a_display(program):
@@ -18,45 +16,6 @@ def run_under_a_display(program):
         sys.exit(f"{program}: no display and no xvfb-run. On Debian: apt-get install xvfb")
     os.environ.setdefault("LIBGL_ALWAYS_SOFTWARE", "1")
     os.execvp("xvfb-run", ["xvfb-run", "-a", "-s", "-screen 0 1600x1200x24", sys.executable, *sys.argv])
-
-
-def read_grid(step):
-    """The grid of a FieldStep (run_results): VTU pieces, or HDF5."""
-    if step.topology is not None:
-        return read_hdf5(step.path, XDMF_CELLS[step.topology])
-    reader = vtk.vtkXMLPUnstructuredGridReader()
-    reader.SetFileName(str(step.path))
-    reader.Update()
-    return reader.GetOutput()
-
-
-def read_hdf5(path, cell_type):
-    try:
-        import h5py
-    except ImportError:
-        raise SystemExit(f"'{path}' is HDF5, for which Python needs h5py. On Debian: apt-get install python3-h5py, "
-                         "and use /usr/bin/python3.")
-    grid = vtk.vtkUnstructuredGrid()
-    with h5py.File(path) as file:
-        nodes = np.zeros((len(file["nodes"]), 3))
-        nodes[:, : file["nodes"].shape[1]] = file["nodes"]
-        points = vtk.vtkPoints()
-        points.SetDataTypeToDouble()
-        points.SetData(numpy_to_vtk(nodes, deep=1))
-        grid.SetPoints(points)
-
-        connectivity = np.asarray(file["cells"], dtype=np.int64)
-        cells = vtk.vtkCellArray()
-        cells.SetData(connectivity.shape[1], numpy_to_vtkIdTypeArray(connectivity.ravel(), deep=1))
-        grid.SetCells(cell_type, cells)
-
-        for name, data in file.items():
-            if name not in ("nodes", "cells"):
-                values = np.asarray(data, dtype=float)
-                array = numpy_to_vtk(values[:, 0] if values.shape[1] == 1 else values, deep=1)
-                array.SetName(name)
-                grid.GetPointData().AddArray(array)
-    return grid
 
 
 def warped(grid, factor):

@@ -26,69 +26,17 @@ import math
 import os
 import pathlib
 import shutil
-import subprocess
 import sys
-import threading
-import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-
-
-def environment():
-    """The environment of a run: scripts/environment on top of the caller's."""
-    variables = dict(os.environ)
-    for line in (ROOT / "scripts" / "environment").read_text().split("\n"):
-        if line and not line.startswith("#"):
-            name, value = line.split("=", 1)
-            variables[name] = value
-    return variables
+sys.path.insert(0, str(ROOT / "scripts"))
+from stickslip import Table
+from stickslip.running import Usage, command_of, environment, measure, variables_of
 
 
 def read_csv(path):
     """Columns of a CSV file with a header: {name: list}; numbers where possible."""
-
-    def value(text):
-        try:
-            return float(text)
-        except ValueError:
-            return text
-
-    with open(path, newline="") as file:
-        rows = list(csv.reader(line for line in file if not line.startswith("#")))
-    header = [name.strip() for name in rows[0]]
-    return {name: [value(row[i]) if i < len(row) else "" for row in rows[1:]] for i, name in enumerate(header)}
-
-
-class Usage:
-    """What a command took, and its exit code."""
-
-    def __init__(self, exit_code, seconds, cpu_seconds, peak_mebibytes, is_out_of_time=False):
-        self.exit_code = exit_code
-        self.is_out_of_time = is_out_of_time  # was ended for that; mpirun hides it in its exit code
-        self.seconds = seconds  # of wall clock; 0 if an earlier run is reused
-        self.cpu_seconds = cpu_seconds  # in user mode, with all processes that it has waited for
-        self.peak_mebibytes = peak_mebibytes  # resident, of the largest of these processes
-
-
-def measure(command, log, directory, variables=None, timeout=None):
-    """Runs a command in a directory, its output in the file `log`; the environment is `environment()`."""
-    start = time.time()
-    is_out_of_time = threading.Event()
-
-    def end():
-        is_out_of_time.set()
-        process.terminate()
-
-    with open(log, "w") as stream:
-        process = subprocess.Popen(command, stdout=stream, stderr=subprocess.STDOUT, cwd=directory,
-                                   env={**environment(), **(variables or {})})
-        timer = threading.Timer(timeout or threading.TIMEOUT_MAX, end)
-        timer.daemon = True
-        timer.start()
-        _, status, usage = os.wait4(process.pid, 0)
-        timer.cancel()
-    process.returncode = os.waitstatus_to_exitcode(status)
-    return Usage(process.returncode, time.time() - start, usage.ru_utime, usage.ru_maxrss / 1024, is_out_of_time.is_set())
+    return Table.read(path).lists()
 
 
 class Result:
@@ -158,10 +106,8 @@ class Benchmark:
         """
         directory = self.output / label
         log = directory / "log.txt"
-        command = ["mpirun", "--oversubscribe", "-np", str(ranks or self.options.ranks), self.program]
-        command += [str(self.directory / parameter_file), "--output-directory", str(directory)]
-        for parameter, value in (overrides or {}).items():
-            command += ["--set", f"{parameter}={value}"]
+        ranks = ranks or self.options.ranks
+        command = command_of(self.directory / parameter_file, directory, overrides or {}, ranks, self.program)
 
         # What is reused has been computed by the same program from the same input.
         inputs = [pathlib.Path(self.program), self.directory / parameter_file]
@@ -174,8 +120,7 @@ class Benchmark:
 
         shutil.rmtree(directory, ignore_errors=True)
         directory.mkdir(parents=True)
-        waiting = {} if (ranks or self.options.ranks) > 1 else {"OMPI_MCA_mpi_yield_when_idle": "0"}  # for nobody
-        usage = measure(command, log, self.directory, {**waiting, **(variables or {})}, timeout)
+        usage = measure(command, log, self.directory, {**variables_of(ranks), **(variables or {})}, timeout)
         spent.write_text(f"{usage.cpu_seconds} {usage.peak_mebibytes}")
         solved = usage.exit_code == 0
         if solved:

@@ -8,7 +8,13 @@
 Needs the Debian package python3-vtk9. Quadrilaterals (linear, quadratic Lagrange)
 and the subdivided lines of contact surfaces.
 """
+import pathlib
+import sys
+
 import numpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
+from stickslip import FieldStep
 
 VTK_LINE = 3
 
@@ -103,27 +109,17 @@ class Fields:
 
 
 def read_fields(path):
-    from vtkmodules.util.numpy_support import vtk_to_numpy
-    from vtkmodules.vtkIOXML import vtkXMLPUnstructuredGridReader
-
-    reader = vtkXMLPUnstructuredGridReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    grid = reader.GetOutput()
-    if grid.GetNumberOfCells() == 0:
+    grid = FieldStep(0, 0.0, pathlib.Path(path)).arrays()
+    if not grid.cells:
         raise SystemExit(f"{path} has no cells.")
-    data = grid.GetPointData()
-    fields = {data.GetArrayName(i): vtk_to_numpy(data.GetArray(i)).astype(float) for i in range(data.GetNumberOfArrays())}
-    sizes = numpy.diff(vtk_to_numpy(grid.GetCells().GetOffsetsArray()))
-    cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
-    if (sizes != sizes[0]).any():
+    if len({(kind, nodes.shape[1]) for kind, nodes in grid.cells}) > 1:
         # A mixed file has rigid or linear cells beside others: by number of nodes.
         raise SystemExit(f"{path} mixes cells of different kinds.")
-    cells = cells.reshape(-1, sizes[0])
-    if grid.GetCellType(0) == VTK_LINE:
+    kind, cells = grid.cells[0]
+    if kind == VTK_LINE:
         # A face of degree k is written as k lines with points of its own: one cell of degree k again.
-        n_faces = grid.GetNumberOfPoints() - len(cells)
+        n_faces = len(grid.points) - len(cells)
         degree = len(cells) // n_faces
         first = numpy.arange(n_faces)[:, None] * (degree + 1)
         cells = first + numpy.array([0, degree, *range(1, degree)])
-    return Fields(vtk_to_numpy(grid.GetPoints().GetData()).astype(float), cells, fields)
+    return Fields(grid.points, cells, grid.point_data)
