@@ -143,20 +143,13 @@ namespace
   void
   print_mesh(const CommandLine &command_line)
   {
-    std::string error;
-    if (is_speaker())
-      try
-        {
-          const MeshInspection inspection =
-            inspect_mesh(command_line.mesh_file);
-          (command_line.json ? print_inspection_json
-                             : print_inspection)(std::cout, inspection);
-        }
-      catch (const UserError &exception)
-        {
-          error = exception.what();
-        }
-    throw_collectively(error, MPI_COMM_WORLD);
+    on_first_rank(
+      [&command_line] {
+        const MeshInspection inspection = inspect_mesh(command_line.mesh_file);
+        (command_line.json ? print_inspection_json
+                           : print_inspection)(std::cout, inspection);
+      },
+      MPI_COMM_WORLD);
   }
 
 

@@ -74,7 +74,9 @@ def test_run():
 
 
 def test_tables():
-    results = stickslip.run(source / "parameters" / "two_blocks.prm", {"Output/Contact points": True}, directory="blocks")
+    line = {"Output/Contact points": True, "Output/Contact lines/edge/Contact pair": "interface", "Output/Contact lines/edge/From": (5, 6),
+            "Output/Contact lines/edge/To": (12, 6), "Output/Contact lines/edge/Points": 141}
+    results = stickslip.run(source / "parameters" / "two_blocks.prm", line, directory="blocks")
     for name in ("statistics", "resultants", "points"):
         with open(f"blocks/{name}.csv", newline="") as file:
             rows = list(csv.DictReader(file))
@@ -88,6 +90,11 @@ def test_tables():
     force = (points["pressure"] * points["reference_weight"]).sum()
     normal = np.hypot(results.resultants.last("interface.normal_force_x"), results.resultants.last("interface.normal_force_y"))
     check(abs(force / normal - 1) < 1e-3, f"contact points: their pressures give the normal force, {force:.6g} is {normal:.6g}")
+    edge = results.table("line_edge.csv")
+    last = edge["step"] == results.n_steps
+    integral = np.trapz(edge["pressure"][last], edge["distance"][last])
+    check(last.sum() == 141 and edge.n_rows == 141 * results.n_steps, "a line: a row per point and step")
+    check(abs(integral / normal - 1) < 5e-3, f"a line: its pressure gives the normal force, {integral:.6g} is {normal:.6g}")
     if has("pandas"):
         check(results.statistics.pandas()["newton_iterations"].sum() == results.total("newton_iterations"), "a table as pandas.DataFrame")
     else:

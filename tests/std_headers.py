@@ -7,7 +7,7 @@ size_t is missing on purpose: every container brings it.
 import re
 
 NAMES_OF_HEADERS = {
-    "algorithm": "adjacent_find all_of any_of binary_search clamp copy copy_if copy_n count count_if equal fill fill_n find find_if"
+    "algorithm": "adjacent_find all_of any_of binary_search clamp copy copy_if copy_n count count_if equal fill fill_n find find_first_of find_if"
                  " for_each generate includes inplace_merge is_sorted lexicographical_compare lower_bound max max_element merge min"
                  " min_element minmax minmax_element none_of nth_element partial_sort partition remove remove_if replace reverse"
                  " rotate set_difference set_intersection set_union shuffle sort stable_partition stable_sort transform unique"

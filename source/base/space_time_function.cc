@@ -34,7 +34,8 @@ namespace stickslip
   SpaceTimeFunction<dim>::SpaceTimeFunction(const std::string &expressions,
                                             const unsigned int n_components,
                                             const std::string &path,
-                                            const bool         allow_free)
+                                            const bool         allow_free,
+                                            const bool         depends_on_time)
     : free_components(n_components, false)
   {
     std::vector<std::string> parts =
@@ -46,7 +47,8 @@ namespace stickslip
             free_components[c] = true;
             parts[c]           = "0";
           }
-    parser = parse_expressions<3>("x,y,z,t", parts, path);
+    parser =
+      parse_expressions<3>(depends_on_time ? "x,y,z,t" : "x,y,z", parts, path);
   }
 
 

@@ -1,5 +1,7 @@
 #include <stickslip/base/user_error.h>
 
+#include <functional>
+
 namespace stickslip
 {
   std::string
@@ -22,5 +24,23 @@ namespace stickslip
     const std::string text = first_error(error, communicator);
     if (!text.empty())
       throw UserError(text);
+  }
+
+
+
+  void
+  on_first_rank(const std::function<void()> &work, const MPI_Comm communicator)
+  {
+    std::string error;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      try
+        {
+          work();
+        }
+      catch (const UserError &exception)
+        {
+          error = exception.what();
+        }
+    throw_collectively(error, communicator);
   }
 } // namespace stickslip

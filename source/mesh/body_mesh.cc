@@ -3,9 +3,9 @@
 #include <stickslip/base/parsed_expression.h>
 #include <stickslip/base/user_error.h>
 #include <stickslip/mesh/condition_list.h>
+#include <stickslip/mesh/generator_arguments.h>
 #include <stickslip/mesh/mesh_checks.h>
 #include <stickslip/mesh/mesh_from_file.h>
-#include <stickslip/mesh/mesh_generator.h>
 #include <stickslip/mesh/transformed_manifold.h>
 
 #include <deal.II/base/utilities.h>

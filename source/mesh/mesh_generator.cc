@@ -3,6 +3,7 @@
 #include <stickslip/base/nearest_name.h>
 #include <stickslip/base/short_message.h>
 #include <stickslip/base/user_error.h>
+#include <stickslip/mesh/generator_arguments.h>
 #include <stickslip/mesh/mesh_checks.h>
 #include <stickslip/mesh/mesh_shapes.h>
 #include <stickslip/mesh/subdivided_line.h>
@@ -12,11 +13,9 @@
 
 #include <deal.II/grid/grid_generator.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdlib>
 #include <exception>
+#include <new>
 
 namespace stickslip
 {
@@ -246,69 +245,6 @@ namespace stickslip
 
 
 
-  namespace
-  {
-    /// Does the argument count cells or something like it?
-    bool
-    counts_cells(const GeneratorArgument &argument)
-    {
-      for (const std::string word :
-           {"cells", "shells", "slices", "repetitions", "holes"})
-        if (argument.name.find(word) != std::string::npos)
-          return true;
-      return false;
-    }
-
-
-
-    /// "4, 2" -> 8; "3" per direction -> 3^dim; "0 |5| 1 |3, 2| 4" -> 8.
-    double
-    cells_in_argument(const GeneratorArgument &argument,
-                      const std::string       &text,
-                      const unsigned int       dim)
-    {
-      if (argument.name.find("positions") != std::string::npos)
-        {
-          const auto parts = Utilities::split_string_list(text, '|');
-          double     sum   = 0.;
-          for (unsigned int i = 1; i < parts.size(); i += 2)
-            sum += std::max(std::strtod(parts[i].c_str(), nullptr), 0.);
-          return std::max(sum, 1.);
-        }
-      const auto numbers = Utilities::split_string_list(text, ',');
-      double     product = 1.;
-      for (const std::string &number : numbers)
-        product *= std::max(std::strtod(number.c_str(), nullptr), 1.);
-      const bool is_for_each_direction =
-        argument.name.find("per direction") != std::string::npos &&
-        numbers.size() == 1;
-      return is_for_each_direction ? std::pow(product, dim) : product;
-    }
-  } // namespace
-
-
-
-  double
-  estimated_cells(const std::string &name,
-                  const std::string &arguments,
-                  const unsigned int dim)
-  {
-    const auto values = Utilities::split_string_list(arguments, ':');
-    double     n      = 1.;
-    for (const GeneratorDescription &generator : generator_descriptions())
-      if (generator.name == name)
-        for (unsigned int i = 0;
-             i < std::min(values.size(), generator.arguments.size());
-             ++i)
-          if (counts_cells(generator.arguments[i]) ||
-              generator.arguments[i].name.find("positions") !=
-                std::string::npos)
-            n *= cells_in_argument(generator.arguments[i], values[i], dim);
-    return n;
-  }
-
-
-
   template <int dim>
   void
   generate_mesh(const std::string  &name,
@@ -320,6 +256,7 @@ namespace stickslip
     const std::string              where     = path + "/Arguments";
     const std::vector<std::string> values =
       complete_arguments(generator, arguments, dim, where);
+    check_generator_arguments(generator, values, where);
 
     try
       {
@@ -336,6 +273,12 @@ namespace stickslip
     catch (const Patterns::Tools::ExcNoMatch &)
       {
         throw UserError(where + ": cannot understand '" + arguments + "'. " +
+                        generator_usage(generator, dim));
+      }
+    catch (const std::bad_alloc &)
+      {
+        throw UserError(where + ": '" + name + "' needs more memory with '" +
+                        arguments + "' than there is. " +
                         generator_usage(generator, dim));
       }
     catch (const std::exception &exception)

@@ -165,8 +165,8 @@ namespace stickslip
     ContactState
     prevailing_state(const ContactFaceResult<dim> &face)
     {
-      std::array<double, 4> area{{0., 0., 0., 0.}};
-      double                total = 0.;
+      std::array<double, n_contact_states> area{};
+      double                               total = 0.;
       for (const ContactPointResult<dim> &point : face.all_points())
         {
           area[static_cast<unsigned int>(point.state)] +=
@@ -174,7 +174,7 @@ namespace stickslip
           total += point.reference_weight;
         }
       unsigned int result = 0;
-      for (unsigned int s = 1; s < 4; ++s)
+      for (unsigned int s = 1; s < n_contact_states; ++s)
         if (area[s] > 0. && area[s] >= area[result] - 1e-10 * total)
           result = s;
       return static_cast<ContactState>(result);
@@ -240,6 +240,7 @@ namespace stickslip
     , directory(parameters.directory)
     , communicator(communicator)
     , series(parameters, "contact", communicator)
+    , lines(parameters, communicator)
   {}
 
 
@@ -249,6 +250,7 @@ namespace stickslip
   ContactOutput<dim>::resume(const double time)
   {
     series.resume(time);
+    lines.resume(time);
   }
 
 
@@ -273,6 +275,7 @@ namespace stickslip
       dim == 3 && higher_order_cells && degree > 1;
     patches.set_flags(flags);
     series.write(patches, step, time);
+    lines.write(step, time, faces);
     if (writes_points)
       write_contact_points(directory + "/contact_points-" +
                              Utilities::int_to_string(step, 4) + ".csv",

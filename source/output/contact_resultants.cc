@@ -14,7 +14,7 @@ namespace stickslip
     template <int dim>
     struct ContactSums
     {
-      static constexpr unsigned int n_values = 3 * dim + 3 + 8;
+      static constexpr unsigned int n_values = 3 * dim + 3 + 9;
 
       explicit ContactSums(double *values)
         : normal_force(values)
@@ -33,7 +33,8 @@ namespace stickslip
         n_unpaired,
         n_open,
         n_stick,
-        n_slip
+        n_slip,
+        n_closed ///< without friction
       };
 
       double *normal_force;
@@ -73,8 +74,6 @@ namespace stickslip
       const Tensor<1, dim> friction_force = w * point.tangential_traction;
       const Tensor<1, 3>   moment =
         moment_of_force(point.centre_of_force, normal_force + friction_force);
-      const bool is_closed =
-        point.state == ContactState::stick || point.state == ContactState::slip;
 
       for (unsigned int d = 0; d < dim; ++d)
         {
@@ -86,7 +85,7 @@ namespace stickslip
         sums.moment[d] += moment[d];
 
       sums.scalars[Sums::pressure_integral] += w * point.pressure;
-      if (is_closed)
+      if (is_closed(point.state))
         {
           sums.scalars[Sums::reference_area] += w;
           sums.scalars[Sums::current_area] += w * point.area_ratio;
@@ -130,8 +129,9 @@ namespace stickslip
       result.n_unpaired     = count(Sums::n_unpaired);
       result.n_stick        = count(Sums::n_stick);
       result.n_slip         = count(Sums::n_slip);
-      result.n_points       = result.n_unpaired + count(Sums::n_open) +
-                        result.n_stick + result.n_slip;
+      result.n_frictionless = count(Sums::n_closed);
+      result.n_points =
+        result.n_unpaired + count(Sums::n_open) + result.n_closed();
       return result;
     }
   } // namespace

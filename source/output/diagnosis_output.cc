@@ -102,9 +102,11 @@ namespace stickslip
           case ContactState::stick:
             return "stick";
           case ContactState::slip:
+            return "slip";
+          case ContactState::closed:
             break;
         }
-      return "slip";
+      return "closed";
     }
 
 

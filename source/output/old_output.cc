@@ -39,7 +39,8 @@ namespace stickslip
     {
       static const std::regex pattern(
         "(solution|contact)\\.(pvd|xdmf)(\\.part)?|"
-        "(points|resultants|reactions|statistics)\\.(csv|txt)(\\.part)?");
+        "(points|resultants|reactions|statistics)\\.(csv|txt)(\\.part)?|"
+        "line_.*\\.csv(\\.part)?");
       return std::regex_match(name, pattern);
     }
 

@@ -4,6 +4,8 @@
 #include <stickslip/base/expert_parameter.h>
 #include <stickslip/base/user_error.h>
 
+#include <utility>
+
 namespace stickslip
 {
   void
@@ -21,6 +23,12 @@ namespace stickslip
                       "the cell, too: NAME.cauchy_stress_xx, "
                       "NAME.equivalent_plastic_strain, ...",
                       dealii::Patterns::Bool());
+    prm.add_parameter("Contact pair",
+                      contact_pair,
+                      "Record contact at the point, too, which has to be on "
+                      "the slave surface of this pair: NAME.pressure, NAME.gap "
+                      "and NAME.tangential_traction_x, ..., as in the fields "
+                      "of contact.pvd. Empty: no contact.");
   }
 
 
@@ -34,6 +42,42 @@ namespace stickslip
       throw UserError(path + "/Position: found " +
                       std::to_string(position.size()) +
                       " coordinates, one per dimension is needed.");
+  }
+
+
+
+  void
+  ContactLineParameters::add_parameters(ParameterHandler &prm)
+  {
+    prm.add_parameter("Contact pair",
+                      contact_pair,
+                      "The pair on whose slave surface the line is.");
+    prm.add_parameter("From",
+                      from,
+                      "First point, in the undeformed body: coordinates, "
+                      "separated by commas.");
+    prm.add_parameter("To", to, "Last point.");
+    prm.add_parameter("Points",
+                      n_points,
+                      "Number of points, at equal distances.",
+                      dealii::Patterns::Integer(2, 100000));
+  }
+
+
+
+  void
+  ContactLineParameters::check(const std::string &path,
+                               const unsigned int dimension) const
+  {
+    if (contact_pair.empty())
+      throw UserError(path + "/Contact pair: the name of a pair is needed.");
+    for (const auto &[name, end] :
+         {std::make_pair("From", from), std::make_pair("To", to)})
+      if (end.size() != dimension)
+        throw UserError(path + "/" + name + ": found " +
+                        std::to_string(end.size()) +
+                        " coordinates, the problem has " +
+                        std::to_string(dimension) + " dimensions.");
   }
 
 
@@ -127,14 +171,18 @@ namespace stickslip
                       "points, with every digit, in addition to the fields of "
                       "each written step.");
 
-    prm.enter_subsection("Points");
-    for (auto &[name, point] : points)
-      {
-        prm.enter_subsection(name);
-        point.add_parameters(prm);
-        prm.leave_subsection();
-      }
-    prm.leave_subsection();
+    const auto add_list = [&prm](const std::string &section, auto &list) {
+      prm.enter_subsection(section);
+      for (auto &[name, member] : list)
+        {
+          prm.enter_subsection(name);
+          member.add_parameters(prm);
+          prm.leave_subsection();
+        }
+      prm.leave_subsection();
+    };
+    add_list("Points", points);
+    add_list("Contact lines", lines);
   }
 
 

@@ -76,6 +76,17 @@ namespace stickslip
           named_point.position[d] = point.position[d];
         named_point.material_state = point.material_state;
         points.push_back(named_point);
+        const auto pair = std::find(parameters.pair_names.begin(),
+                                    parameters.pair_names.end(),
+                                    point.contact_pair);
+        if (pair != parameters.pair_names.end())
+          {
+            surface_points.push_back(
+              {static_cast<unsigned int>(pair - parameters.pair_names.begin()),
+               named_point.position,
+               path + "/Position"});
+            names_of_surface_points.push_back(name);
+          }
       }
   }
 
@@ -248,9 +259,11 @@ namespace stickslip
 
   template <int dim>
   std::vector<typename PointValues<dim>::NamedValue>
-  PointValues<dim>::named_values(const DoFHandler<dim>     &dof_handler,
-                                 const LA::Vector          &displacement,
-                                 const MaterialFields<dim> &material) const
+  PointValues<dim>::named_values(
+    const DoFHandler<dim>                     &dof_handler,
+    const LA::Vector                          &displacement,
+    const MaterialFields<dim>                 &material,
+    const std::vector<ContactFaceResult<dim>> &faces) const
   {
     constexpr std::array<const char *, 3> axis{{"_x", "_y", "_z"}};
     const std::vector<Tensor<1, dim>>     displacements =
@@ -263,7 +276,29 @@ namespace stickslip
     for (unsigned int p = 0; p < points.size(); ++p)
       if (points[p].material_state)
         add_material_state(p, dof_handler.get_fe(), material, values);
+    add_contact(faces, values);
     return values;
+  }
+
+
+
+  template <int dim>
+  void
+  PointValues<dim>::add_contact(
+    const std::vector<ContactFaceResult<dim>> &faces,
+    std::vector<NamedValue>                   &values) const
+  {
+    const auto contact = values_on_surface(surface_points, faces, communicator);
+    for (unsigned int p = 0; p < contact.size(); ++p)
+      {
+        const std::string name = names_of_surface_points[p] + ".";
+        values.push_back({"traction", name + "pressure", contact[p].pressure});
+        values.push_back({"gap", name + "gap", contact[p].gap});
+        for (unsigned int d = 0; d < dim; ++d)
+          values.push_back({"traction",
+                            name + "tangential_traction_" + "xyz"[d],
+                            contact[p].tangential_traction[d]});
+      }
   }
 
 
@@ -283,14 +318,15 @@ namespace stickslip
                           const double               time,
                           const DoFHandler<dim>     &dof_handler,
                           const LA::Vector          &displacement,
-                          const MaterialFields<dim> &material)
+                          const MaterialFields<dim> &material,
+                          const std::vector<ContactFaceResult<dim>> &faces)
   {
     if (points.empty())
       return;
     table.add("step", step);
     table.add("time", time);
     for (const NamedValue &result :
-         named_values(dof_handler, displacement, material))
+         named_values(dof_handler, displacement, material, faces))
       table.add(result.name, result.value);
     table.finish_row();
   }

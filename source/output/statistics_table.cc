@@ -167,6 +167,29 @@ namespace stickslip
 
 
 
+  std::map<double, double>
+  StatisticsTable::numbers(const std::string &column,
+                           const std::string &key) const
+  {
+    std::map<double, double> result;
+    const auto               value_column = index_of_column.find(column);
+    const auto               key_column   = index_of_column.find(key);
+    if (value_column == index_of_column.end() ||
+        key_column == index_of_column.end())
+      return result;
+    for (const Row &row : rows)
+      if (std::max(value_column->second, key_column->second) < row.size())
+        {
+          const auto value = number_in_cell(row[value_column->second]);
+          const auto time  = number_in_cell(row[key_column->second]);
+          if (value && time)
+            result[*time] = *value;
+        }
+    return result;
+  }
+
+
+
   std::string
   StatisticsTable::csv_line(const Row &row) const
   {

@@ -1,9 +1,11 @@
 #include <stickslip/simulation/case_parameters.h>
 
 #include <stickslip/base/declared_parameters.h>
+#include <stickslip/base/nearest_name.h>
 #include <stickslip/base/print_parameters.h>
 #include <stickslip/base/user_error.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -35,6 +37,49 @@ namespace stickslip
     {
       for (const auto &[name, member] : list)
         member.check(section + "/" + name);
+    }
+
+
+
+    std::vector<std::string>
+    names_of_pairs(const NamedList<ContactPairParameters> &pairs)
+    {
+      std::vector<std::string> names;
+      for (const auto &pair : pairs)
+        names.push_back(pair.first);
+      return names;
+    }
+
+
+
+    bool
+    have_common(const std::vector<std::string> &a,
+                const std::vector<std::string> &b)
+    {
+      return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) !=
+             a.end();
+    }
+
+
+
+    /// Two pairs of the same surfaces would press twice.
+    void
+    check_pairs_differ(const NamedList<ContactPairParameters> &pairs)
+    {
+      for (auto second = pairs.begin(); second != pairs.end(); ++second)
+        for (auto first = pairs.begin(); first != second; ++first)
+          {
+            const ContactPairParameters &a = first->second, &b = second->second;
+            if (a.slave_body == b.slave_body &&
+                a.master_body == b.master_body &&
+                have_common(a.slave_boundary, b.slave_boundary) &&
+                have_common(a.master_boundary, b.master_boundary))
+              throw UserError("'Contact/" + first->first + "' and 'Contact/" +
+                              second->first +
+                              "' have the same slave and master surface, or "
+                              "parts of them. One pair is enough; name other "
+                              "boundaries, or remove one of them.");
+          }
     }
 
 
@@ -120,6 +165,7 @@ namespace stickslip
     file.declare_names("Boundary conditions", boundary_conditions);
     file.declare_names("Contact", contact_pairs);
     file.declare_names("Output/Points", output.points);
+    file.declare_names("Output/Contact lines", output.lines);
     file.declare_names("Checks", checks);
     for (auto &[name, material] : materials)
       {
@@ -127,6 +173,7 @@ namespace stickslip
         material.choose_law(file.value_of(path, "Law").value_or(material.law),
                             path);
       }
+    output.pair_names = names_of_pairs(contact_pairs);
     add_parameters(prm);
     file.apply_to(prm);
     mesh.input_directory = file.directory();
@@ -158,6 +205,7 @@ namespace stickslip
                                                 BoundaryConditionParameters());
     parameters.contact_pairs.emplace_back("<pair>", ContactPairParameters());
     parameters.output.points.emplace_back("<point>", PointParameters());
+    parameters.output.lines.emplace_back("<line>", ContactLineParameters());
     parameters.checks.emplace_back("<check>", ReferenceCheckParameters());
     parameters.add_parameters(prm);
   }
@@ -184,12 +232,42 @@ namespace stickslip
                           ": 'Algorithm/Name = " + name_of(algorithm.name) +
                           "' needs 'segments' or 'nodal', where the law holds "
                           "at each multiplier.");
+    algorithm.check("Algorithm");
+    check_pairs_differ(contact_pairs);
     load_stepping.check("Load stepping");
     linear_solver.check("Linear solver");
     output.check("Output");
     for (const auto &[name, point] : output.points)
-      point.check("Output/Points/" + name);
+      {
+        point.check("Output/Points/" + name);
+        if (!point.contact_pair.empty() &&
+            pair_called(point.contact_pair, "Output/Points/" + name)
+                .slave_body != point.body)
+          throw UserError("Output/Points/" + name + "/Contact pair: '" +
+                          point.body + "' is not the slave body of '" +
+                          point.contact_pair + "'.");
+      }
+    for (const auto &[name, line] : output.lines)
+      {
+        line.check("Output/Contact lines/" + name, dimension);
+        pair_called(line.contact_pair, "Output/Contact lines/" + name);
+      }
     check_named_list("Checks", checks);
+  }
+
+
+
+  const ContactPairParameters &
+  CaseParameters::pair_called(const std::string &name,
+                              const std::string &path) const
+  {
+    for (const auto &[pair_name, pair] : contact_pairs)
+      if (pair_name == name)
+        return pair;
+    throw UserError(
+      path + "/Contact pair: there is no contact pair '" + name + "'." +
+      did_you_mean(name, output.pair_names) + " Known: " +
+      (contact_pairs.empty() ? "none" : quoted_list(output.pair_names)) + ".");
   }
 
 

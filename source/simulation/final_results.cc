@@ -52,13 +52,14 @@ namespace stickslip
 
 
 
-  void
-  FinalResults::print(std::ostream &out) const
+  NamedValues
+  FinalResults::values() const
   {
     std::map<std::string, double> largest;
     for (unsigned int i = 0; i < named_values.size(); ++i)
       largest[families[i]] =
         std::max(largest[families[i]], std::abs(named_values[i].second));
+    NamedValues results;
     for (unsigned int i = 0; i < named_values.size(); ++i)
       {
         const auto &[name, value] = named_values[i];
@@ -66,9 +67,19 @@ namespace stickslip
         number << std::setprecision(6)
                << (std::abs(value) < roundoff * largest[families[i]] ? 0.
                                                                      : value);
-        out << std::left << std::setw(39) << name << ' ' << number.str()
-            << '\n';
+        results.push_back({name, value, number.str()});
       }
+    return results;
+  }
+
+
+
+  void
+  FinalResults::print(std::ostream &out) const
+  {
+    for (const NamedResultValue &result : values())
+      out << std::left << std::setw(39) << result.name << ' ' << result.text
+          << '\n';
   }
 
 
@@ -80,13 +91,15 @@ namespace stickslip
                 const PointValues<dim> &point_values)
   {
     FinalResults results;
+    const auto   faces = contact_results(problem.contact());
     for (const auto &result : point_values.named_values(
            problem.layout().dof_handler,
            problem.ghosted_displacement(),
-           material_fields(problem.solid(), problem.ghosted_displacement())))
+           material_fields(problem.solid(), problem.ghosted_displacement()),
+           faces))
       results.add(result.family, result.name, result.value);
     const auto resultants =
-      compute_contact_resultants(contact_results(problem.contact()),
+      compute_contact_resultants(faces,
                                  parameters.contact_pairs.size(),
                                  problem.contact().get_communicator());
     for (unsigned int p = 0; p < resultants.size(); ++p)

@@ -45,6 +45,10 @@ namespace stickslip
     , point_values(parameters.output, mesh.bodies, communicator)
     , statistics(parameters.output.directory + "/statistics", communicator)
     , force_tables(parameters, communicator)
+    , result_tables{&point_values.values_of_steps(),
+                    &force_tables.resultants(),
+                    &force_tables.reactions(),
+                    &statistics}
     , log(parameters.output.directory, communicator)
     , stop_requests(seconds_of_duration(parameters.output.stop_after),
                     communicator)
@@ -198,6 +202,8 @@ namespace stickslip
                        resultants,
                        problem.reactions());
     write_results(faces);
+    if (steps().step_number() == 1)
+      check_quantities(parameters.checks, result_tables, communicator);
     progress.accepted_step(steps().step_number(),
                            steps().time(),
                            name_of(solved.algorithm) + ", " +
@@ -295,7 +301,8 @@ namespace stickslip
                        time,
                        problem.layout().dof_handler,
                        problem.ghosted_displacement(),
-                       material);
+                       material,
+                       faces);
     if (parameters.output.is_saved(step, steps().finished()))
       write_checkpoint(step_control.state());
   }
@@ -372,11 +379,16 @@ namespace stickslip
         text << "Warning: " << warning << '\n';
       }
     results.print(text);
-    const unsigned int n_failed =
-      evaluate_checks(parameters.checks, results.values(), text);
+    const CheckReport checks = evaluate_checks(parameters.checks,
+                                               result_tables,
+                                               results.values(),
+                                               communicator);
+    text << checks.text;
     if (progress.prints_results())
       std::cout << text.str() << std::flush;
-    return n_failed;
+    else
+      std::cerr << checks.failed << std::flush;
+    return checks.n_failed;
   }
 
   template class Simulation<2>;

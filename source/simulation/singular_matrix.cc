@@ -14,14 +14,6 @@ namespace stickslip
 
 
 
-    bool
-    is_closed(const ContactState state)
-    {
-      return state == ContactState::stick || state == ContactState::slip;
-    }
-
-
-
     /// A body that contact alone can hold, and contact does not.
     template <int dim>
     std::optional<FailureExplanation>

@@ -98,10 +98,8 @@ namespace stickslip
     if (condition.type == BoundaryConditionType::rigid_motion)
       condition.motion = RigidMotion<dim>(parameters, path);
     if (!parameters.where.empty())
-      condition.where =
-        std::make_shared<SpaceTimeFunction<dim>>(parameters.where,
-                                                 1,
-                                                 path + "/Where");
+      condition.where = std::make_shared<SpaceTimeFunction<dim>>(
+        parameters.where, 1, path + "/Where", false, false);
     displacements.push_back(condition);
   }
 

@@ -25,6 +25,17 @@ namespace stickslip
 
     /// ... and after many.
     constexpr unsigned int longest_growth_delay = 8;
+
+
+
+    /// As a user would write it.
+    std::string
+    short_text(const double value)
+    {
+      std::ostringstream text;
+      text << value;
+      return text.str();
+    }
   } // namespace
 
 
@@ -122,10 +133,14 @@ namespace stickslip
     require(minimum_step <= initial_step,
             "Minimum step' must not exceed 'Initial step'.");
     require(maximum_step == 0. || maximum_step >= initial_step,
-            "Maximum step' must not be below 'Initial step' (or 0).");
+            "Maximum step' is " + short_text(maximum_step) +
+              ", but has to be 0 or at least 'Initial step', which is " +
+              short_text(initial_step) + ".");
     for (const double time : requested_times)
       require(time > 0. && time <= end_time,
-              "Requested times': all must lie between 0 and 'End time'.");
+              "Requested times' has " + short_text(time) +
+                ", but all have to lie between 0 and 'End time', which is " +
+                short_text(end_time) + ".");
   }
 
 

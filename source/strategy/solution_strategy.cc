@@ -1,9 +1,11 @@
 #include <stickslip/strategy/solution_strategy.h>
 
 #include <stickslip/base/expert_parameter.h>
+#include <stickslip/base/user_error.h>
 
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace stickslip
 {
@@ -214,6 +216,24 @@ namespace stickslip
     prm.enter_subsection("Newton");
     newton.add_parameters(prm);
     prm.leave_subsection();
+  }
+
+
+
+  void
+  AlgorithmParameters::check(const std::string &path) const
+  {
+    if (name == Algorithm::custom)
+      return;
+    for (const auto &[section, loop] : {std::make_pair("Geometry", &geometry),
+                                        std::make_pair("Threshold", &threshold),
+                                        std::make_pair("Status", &status)})
+      if (loop->treatment != LoopParameters().treatment)
+        throw UserError("'" + path + "/" + section + "/Treatment' is '" +
+                        name_of(loop->treatment, all_treatments()) +
+                        "', but 'Algorithm/Name = " + name_of(name) +
+                        "' has its own treatments. Remove it, or set "
+                        "'Algorithm/Name = custom'.");
   }
 
 

@@ -27,14 +27,16 @@ namespace stickslip
 
     /**
      * Parses @p expressions, @p n_components of them separated by semicolons.
-     * With @p allow_free a component may be `free`. Throws UserError naming
+     * With @p allow_free a component may be `free`; without @p depends_on_time
+     * there is no t. Throws UserError naming
      * @p path for a wrong number of components and, with muparser's own words,
      * for an expression that cannot be parsed.
      */
     SpaceTimeFunction(const std::string &expressions,
                       const unsigned int n_components,
                       const std::string &path,
-                      const bool         allow_free = false);
+                      const bool         allow_free      = false,
+                      const bool         depends_on_time = true);
 
     bool
     is_free(const unsigned int component) const

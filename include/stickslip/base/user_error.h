@@ -3,6 +3,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -38,6 +39,11 @@ namespace stickslip
    */
   void
   throw_collectively(const std::string &error, const MPI_Comm communicator);
+
+  /// Calls @p work on rank 0; a UserError that it throws is thrown on all ranks.
+  /// Collective.
+  void
+  on_first_rank(const std::function<void()> &work, const MPI_Comm communicator);
 } // namespace stickslip
 
 #endif

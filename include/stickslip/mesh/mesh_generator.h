@@ -35,14 +35,6 @@ namespace stickslip
   std::vector<std::string>
   generator_names(const unsigned int dim);
 
-  /// A lower bound of the number of cells that generate_mesh() would make: the
-  /// product of the numbers of cells in the arguments. At least 1, also for
-  /// what makes no sense.
-  double
-  estimated_cells(const std::string &name,
-                  const std::string &arguments,
-                  const unsigned int dim);
-
   /**
    * Fills @p triangulation (empty before) and its manifolds. Arguments are
    * separated by ':' and missing ones at the end get their defaults. Throws

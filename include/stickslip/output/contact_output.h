@@ -2,6 +2,7 @@
 #define stickslip_output_contact_output_h
 
 #include <stickslip/contact/results/contact_result.h>
+#include <stickslip/output/contact_lines.h>
 #include <stickslip/output/output_parameters.h>
 #include <stickslip/output/output_series.h>
 
@@ -17,7 +18,8 @@ namespace stickslip
    * displacement, pressure (-lambda_n), tangential_traction, gap, slip,
    * traction (pressure on the slave plus tangential_traction),
    * accumulated_slip, normal (of the master), lambda_n, Lambda, paired, status
-   * and pair. On request all contact points as a table beside them.
+   * and pair. On request all contact points as a table beside them, and tables
+   * along lines (ContactLines).
    *
    * Multipliers and displacement are nodal by nature. What is known at contact
    * points (traction, gap, slips, normal) is brought to the nodes of each face
@@ -26,7 +28,8 @@ namespace stickslip
    * are those of the paired points, and 0 at nodes without any; `paired` is
    * the part of a node's points that are paired. `status` is the
    * state of the largest part of the face's area, constant on the face, so
-   * that its colours are states (0 unpaired, 1 open, 2 stick, 3 slip) and not
+   * that its colours are states (0 unpaired, 1 open, 2 stick, 3 slip,
+   * 4 closed without friction) and not
    * something between them.
    */
   template <int dim>
@@ -56,7 +59,8 @@ namespace stickslip
     const std::string directory;
     const MPI_Comm    communicator;
 
-    OutputSeries series;
+    OutputSeries      series;
+    ContactLines<dim> lines;
   };
 
   /**

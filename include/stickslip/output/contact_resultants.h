@@ -54,6 +54,8 @@ namespace stickslip
     unsigned int n_unpaired = 0;
     unsigned int n_stick    = 0;
     unsigned int n_slip     = 0;
+    unsigned int n_frictionless =
+      0; ///< closed points of a pair without friction
 
     Tensor<1, dim>
     force() const
@@ -64,7 +66,7 @@ namespace stickslip
     unsigned int
     n_closed() const
     {
-      return n_stick + n_slip;
+      return n_stick + n_slip + n_frictionless;
     }
 
     /// Columns for a statistics table, named "force_x", "contact_area", ...

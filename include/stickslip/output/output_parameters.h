@@ -22,6 +22,7 @@ namespace stickslip
     std::string         body;
     std::vector<double> position; ///< in the undeformed body
     bool                material_state = false;
+    std::string contact_pair; ///< whose slave surface it is on; empty: none
 
     void
     add_parameters(ParameterHandler &prm);
@@ -29,6 +30,25 @@ namespace stickslip
     /// Throws UserError if no body is named or the position is empty.
     void
     check(const std::string &path) const;
+  };
+
+
+
+  /// A straight line on a slave surface, along which contact is recorded in
+  /// each step with fields. The subsection Output/Contact lines/<name>.
+  struct ContactLineParameters
+  {
+    std::string         contact_pair;
+    std::vector<double> from, to; ///< in the undeformed body
+    unsigned int        n_points = 101;
+
+    void
+    add_parameters(ParameterHandler &prm);
+
+    /// Throws UserError if the line has no pair, or its ends have not
+    /// @p dimension coordinates.
+    void
+    check(const std::string &path, const unsigned int dimension) const;
   };
 
 
@@ -67,11 +87,13 @@ namespace stickslip
     std::string  stop_after; ///< a duration; empty: never
     bool         contact_points = false;
 
-    NamedList<PointParameters> points;
+    NamedList<PointParameters>       points;
+    NamedList<ContactLineParameters> lines;
+    std::vector<std::string> pair_names; ///< of all contact pairs, in order
 
     /**
-     * Declares all parameters but the points, whose names the parameter file
-     * must have given to the list before (ParameterFile::declare_names()).
+     * Declares all parameters but points and lines, whose names the parameter
+     * file must have given to the list before (ParameterFile::declare_names()).
      */
     void
     add_parameters(ParameterHandler &prm);

@@ -6,6 +6,7 @@
 #include <stickslip/output/material_fields.h>
 #include <stickslip/output/output_parameters.h>
 #include <stickslip/output/statistics_table.h>
+#include <stickslip/output/surface_values.h>
 
 #include <deal.II/dofs/dof_handler.h>
 
@@ -19,7 +20,8 @@ namespace stickslip
   /**
    * The displacement at named points of the bodies over the steps, written
    * into points.csv with the columns step, time, NAME_x, NAME_y(, NAME_z), and
-   * for points with "Material state" NAME.cauchy_stress_xx and so on.
+   * for points with "Material state" NAME.cauchy_stress_xx and so on, for those
+   * with "Contact pair" NAME.pressure, NAME.gap and NAME.tangential_traction_x.
    *
    * A point belongs to a cell of its body (of the undeformed mesh): among the
    * cells that contain it the one with the smallest CellId, which does not
@@ -59,13 +61,14 @@ namespace stickslip
     };
 
     /**
-     * Displacements and material states under their names, the displacements
-     * first, on all ranks. Collective.
+     * Displacements, material states and contact under their names, in this
+     * order, on all ranks. @p faces: the locally owned slave faces. Collective.
      */
     std::vector<NamedValue>
-    named_values(const DoFHandler<dim>     &dof_handler,
-                 const LA::Vector          &displacement,
-                 const MaterialFields<dim> &material) const;
+    named_values(const DoFHandler<dim>                     &dof_handler,
+                 const LA::Vector                          &displacement,
+                 const MaterialFields<dim>                 &material,
+                 const std::vector<ContactFaceResult<dim>> &faces) const;
 
     /// Continues points.csv of an earlier run after @p time. Collective.
     void
@@ -73,11 +76,18 @@ namespace stickslip
 
     /// Evaluates and appends a row to points.csv. Collective.
     void
-    write(const unsigned int         step,
-          const double               time,
-          const DoFHandler<dim>     &dof_handler,
-          const LA::Vector          &displacement,
-          const MaterialFields<dim> &material = {});
+    write(const unsigned int                         step,
+          const double                               time,
+          const DoFHandler<dim>                     &dof_handler,
+          const LA::Vector                          &displacement,
+          const MaterialFields<dim>                 &material = {},
+          const std::vector<ContactFaceResult<dim>> &faces    = {});
+
+    const StatisticsTable &
+    values_of_steps() const
+    {
+      return table;
+    }
 
   private:
     struct NamedPoint
@@ -112,7 +122,15 @@ namespace stickslip
     const Bodies  &bodies;
     const MPI_Comm communicator;
 
-    std::vector<NamedPoint> points;
+    /// Adds pressure, gap and traction of the points on slave surfaces.
+    /// Collective.
+    void
+    add_contact(const std::vector<ContactFaceResult<dim>> &faces,
+                std::vector<NamedValue>                   &values) const;
+
+    std::vector<NamedPoint>        points;
+    std::vector<SurfacePoint<dim>> surface_points; ///< some of them
+    std::vector<std::string>       names_of_surface_points;
     /// Per point; the cell is valid on the one rank that owns it.
     std::vector<Location> locations;
 

@@ -59,6 +59,18 @@ namespace stickslip
     void
     finish_row();
 
+    /// The numbers of the column @p column by those of the column @p key, as
+    /// {time: value}. Rank 0 only; empty if there is no such column.
+    std::map<double, double>
+    numbers(const std::string &column, const std::string &key = "time") const;
+
+    /// Names of all columns. Rank 0 only.
+    const std::vector<std::string> &
+    column_names() const
+    {
+      return columns;
+    }
+
   private:
     using Row = std::vector<std::string>; ///< may be shorter than `columns`
 

@@ -81,6 +81,10 @@ namespace stickslip
     slave_surfaces() const;
 
   private:
+    /// Throws UserError that blames @p path if there is no such pair.
+    const ContactPairParameters &
+    pair_called(const std::string &name, const std::string &path) const;
+
     void
     add_parameters(ParameterHandler &prm);
 

@@ -7,12 +7,13 @@
 #include <stickslip/problem/contact_problem.h>
 
 #include <stickslip/simulation/case_parameters.h>
-#include <stickslip/simulation/reference_checks.h>
+#include <stickslip/simulation/result_history.h>
 
 #include <deal.II/base/tensor.h>
 
 #include <iosfwd>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stickslip
@@ -33,18 +34,16 @@ namespace stickslip
     void
     add_of_pair(const std::string &pair, const NamedResultant &resultant);
 
-    const NamedValues &
-    values() const
-    {
-      return named_values;
-    }
+    /// With the texts that print() prints.
+    NamedValues
+    values() const;
 
     void
     print(std::ostream &out) const;
 
   private:
-    NamedValues              named_values;
-    std::vector<std::string> families;
+    std::vector<std::pair<std::string, double>> named_values;
+    std::vector<std::string>                    families;
   };
 
 

@@ -31,6 +31,18 @@ namespace stickslip
           const std::vector<ContactResultants<dim>>                 &resultants,
           const std::vector<std::pair<std::string, Tensor<1, dim>>> &reactions);
 
+    const StatisticsTable &
+    resultants() const
+    {
+      return resultant_table;
+    }
+
+    const StatisticsTable &
+    reactions() const
+    {
+      return reaction_table;
+    }
+
   private:
     std::vector<std::string> pair_names;
     StatisticsTable          resultant_table;

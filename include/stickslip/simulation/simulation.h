@@ -74,10 +74,12 @@ namespace stickslip
     PointValues<dim>   point_values;
     StatisticsTable    statistics;
     ForceTables        force_tables;
-    ConvergenceLog     log;
-    StopRequests       stop_requests;
-    StepSolver<dim>    step_solver;
-    Progress           progress;
+    /// What names of results may mean, in this order.
+    std::vector<const StatisticsTable *> result_tables;
+    ConvergenceLog                       log;
+    StopRequests                         stop_requests;
+    StepSolver<dim>                      step_solver;
+    Progress                             progress;
 
     /// Load time; shorter than step_control.steps().
     const LoadStepping &
@@ -146,6 +148,7 @@ namespace stickslip
     void
     continue_tables();
 
+    /// Prints the results. Returns the number of checks that fall short.
     unsigned int
     report_final_results();
   };

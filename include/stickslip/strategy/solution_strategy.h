@@ -100,6 +100,10 @@ namespace stickslip
 
     void
     add_parameters(ParameterHandler &prm);
+
+    /// Throws UserError for treatments that the algorithm would not use.
+    void
+    check(const std::string &path) const;
   };
 
 

@@ -28,7 +28,8 @@ namespace stickslip
         "/" + std::to_string(point.geometry.quadrature_index);
       result.reference_position = Point<dim>(point.geometry.reference_position);
       result.position           = Point<dim>(pair.slave_position(point).x);
-      result.state              = observe(point, state).state;
+      result.state              = shown_state(observe(point, state).state,
+                                 pair.parameters.has_friction());
       result.was_paired         = point.initial_pairing.paired;
       result.has_threshold      = state.response.threshold > 0.;
       if (!point.pairing.paired)

@@ -88,7 +88,7 @@ namespace stickslip
             return 'o';
           case ContactState::stick:
             return 's';
-          case ContactState::slip:
+          default:
             break;
         }
       const std::uint32_t direction = code & direction_bits;

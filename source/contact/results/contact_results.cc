@@ -57,7 +57,8 @@ namespace stickslip
       result.Lambda =
         tangential_vector<dim>(state.multipliers.Lambda, state.kinematics.tau);
       result.accumulated_slip = point.accumulated_slip;
-      result.state            = observe(point, state).state;
+      result.state            = shown_state(observe(point, state).state,
+                                 pair.parameters.has_friction());
       result.gap      = point.pairing.paired ? -state.kinematics.d_n : 0.;
       result.normal   = -1. * state.kinematics.n;
       result.pressure = 0.;
@@ -142,17 +143,16 @@ namespace stickslip
     const auto        &communicator = contact.get_communicator();
     for (const auto &pair : contact.contact_pairs())
       {
-        std::array<unsigned int, 4> counts{};
-        double                      worst = -1.;
-        Tensor<1, dim>              where;
+        std::array<unsigned int, n_contact_states> counts{};
+        double                                     worst = -1.;
+        Tensor<1, dim>                             where;
         for (const auto &point : pair->points)
           {
             const auto result = point_result(contact, *pair, point);
             ++counts[static_cast<unsigned int>(result.state)];
-            const bool is_closed = result.state == ContactState::stick ||
-                                   result.state == ContactState::slip;
-            const double error =
-              is_closed ? std::abs(result.gap) : std::max(0., -result.gap);
+            const double error = is_closed(result.state)
+                                   ? std::abs(result.gap)
+                                   : std::max(0., -result.gap);
             if (error > worst)
               {
                 worst = error;
@@ -170,7 +170,7 @@ namespace stickslip
         if (pair->parameters.has_friction())
           text << counts[2] << " stick, " << counts[3] << " slip, ";
         else
-          text << counts[2] + counts[3] << " closed, ";
+          text << counts[4] << " closed, ";
         text << counts[0] << " unpaired; largest gap error " << extremes.max
              << " at reference position (" << wheres[extremes.max_index]
              << ")\n";

@@ -7,15 +7,33 @@ namespace stickslip
 {
   using namespace dealii;
 
-  /// What a contact point is doing. `unpaired`: no master face in reach. A
-  /// closed point without friction slips.
+  /// What a contact point is doing. `unpaired`: no master face in reach.
+  /// `closed`: of a pair without friction; only results tell it from `slip`.
   enum class ContactState
   {
     unpaired = 0,
     open     = 1,
     stick    = 2,
-    slip     = 3
+    slip     = 3,
+    closed   = 4
   };
+
+  constexpr unsigned int n_contact_states = 5;
+
+  /// True if the surfaces touch.
+  inline bool
+  is_closed(const ContactState state)
+  {
+    return state == ContactState::stick || state == ContactState::slip ||
+           state == ContactState::closed;
+  }
+
+  /// @p state as results have it, of a pair with or without friction.
+  inline ContactState
+  shown_state(const ContactState state, const bool has_friction)
+  {
+    return is_closed(state) && !has_friction ? ContactState::closed : state;
+  }
 
 
 
