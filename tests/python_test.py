@@ -74,9 +74,10 @@ def test_run():
 
 
 def test_tables():
-    line = {"Output/Contact points": True, "Output/Contact lines/edge/Contact pair": "interface", "Output/Contact lines/edge/From": (5, 6),
-            "Output/Contact lines/edge/To": (12, 6), "Output/Contact lines/edge/Points": 141}
-    results = stickslip.run(source / "parameters" / "two_blocks.prm", line, directory="blocks")
+    text = "subsection Output\n subsection Contact lines\n subsection edge\n" \
+           "  set Contact pair = interface\n  set From = 5, 6\n  set To = 12, 6\n  set Points = 141\n end\n end\nend\n"
+    pathlib.Path("blocks.prm").write_text(f"include {source}/parameters/two_blocks.prm\n{text}")
+    results = stickslip.run("blocks.prm", {"Output/Contact points": True}, directory="blocks")
     for name in ("statistics", "resultants", "points"):
         with open(f"blocks/{name}.csv", newline="") as file:
             rows = list(csv.DictReader(file))
