@@ -271,7 +271,8 @@ class RunPictures:
     # ---------------------------------------------------------- contact surfaces
     def _legend(self, figure, x, y):
         figure.legend(handles=[Patch(facecolor=colour, edgecolor="0.3", label=name) for name, colour in STATES],
-                      loc="center", ncol=len(STATES), frameon=False, bbox_to_anchor=(x, y), fontsize=12)
+                      loc="center", ncol=len(STATES), frameon=False, bbox_to_anchor=(x, y), fontsize=12,
+                      handlelength=1.4, columnspacing=1.2)
 
     def _note_hidden(self, figure, n_all, what):
         n_hidden = n_all - (len(self.curves) or len(self.shown_pairs))
