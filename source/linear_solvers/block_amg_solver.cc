@@ -2,11 +2,11 @@
 
 #include <stickslip/base/no_convergence.h>
 
-#include <deal.II/lac/solver_gmres.h>
-#include <deal.II/lac/vector_memory.h>
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <sstream>
 
 namespace stickslip
@@ -39,44 +39,6 @@ namespace stickslip
     /// outdated hierarchy costs them less than its renewal would (about ten
     /// iterations).
     constexpr double loose_reduction = 1e-4;
-
-
-
-    /// y = A x without the empty blocks of a problem without contact.
-    void
-    apply(const LA::BlockSparseMatrix &matrix,
-          LA::BlockVector             &y,
-          const LA::BlockVector       &x)
-    {
-      if (x.block(1).size() > 0)
-        matrix.vmult(y, x);
-      else
-        matrix.block(0, 0).vmult(y.block(0), x.block(0));
-    }
-
-
-
-    /// The matrix of the iteration: rows of multipliers scaled.
-    class ScaledMatrix
-    {
-    public:
-      ScaledMatrix(const LA::BlockSparseMatrix &matrix,
-                   const LA::Vector            &row_scale)
-        : matrix(matrix)
-        , row_scale(row_scale)
-      {}
-
-      void
-      vmult(LA::BlockVector &y, const LA::BlockVector &x) const
-      {
-        apply(matrix, y, x);
-        y.block(1).scale(row_scale);
-      }
-
-    private:
-      const LA::BlockSparseMatrix &matrix;
-      const LA::Vector            &row_scale;
-    };
   } // namespace
 
 
@@ -120,17 +82,23 @@ namespace stickslip
   void
   BlockAmgSolver::scale_rows()
   {
-    row_scale         = augmentation.inverse_diagonal();
-    inverse_row_scale = row_scale;
-    for (const auto i : row_scale.locally_owned_elements())
+    const LA::Vector &inverse_diagonal = augmentation.inverse_diagonal();
+    row_scale.clear();
+    for (const auto i : inverse_diagonal.locally_owned_elements())
       {
-        const double square  = row_scale(i) * description->stiffness(i);
-        const double factor  = square > 0. ? std::sqrt(square) : 1.;
-        row_scale(i)         = factor;
-        inverse_row_scale(i) = 1. / factor;
+        const double square = inverse_diagonal(i) * description->stiffness(i);
+        row_scale.push_back(square > 0. ? std::sqrt(square) : 1.);
       }
-    row_scale.compress(VectorOperation::insert);
-    inverse_row_scale.compress(VectorOperation::insert);
+  }
+
+
+
+  void
+  BlockAmgSolver::apply_row_scale(OwnedEntries &entries) const
+  {
+    double *const multipliers = entries.data() + product.n_displacements();
+    for (unsigned int i = 0; i < row_scale.size(); ++i)
+      multipliers[i] *= row_scale[i];
   }
 
 
@@ -146,12 +114,9 @@ namespace stickslip
     layout                = description->layout;
     n_new                 = 0;
     is_fresh              = false;
+    product.reinit(system);
     augmentation.reinit(system, *description, parameters.augmentation);
     scale_rows();
-    unscaled.reinit({system.block(0, 0).locally_owned_range_indices(),
-                     system.block(1, 1).locally_owned_range_indices()},
-                    system.block(0, 0).get_mpi_communicator());
-    residual.reinit(unscaled);
     if (has_multipliers)
       interface.factorise(system, new_layout);
     if (description->near_null_space != near_null_space || rebuild)
@@ -163,46 +128,47 @@ namespace stickslip
 
 
   void
-  BlockAmgSolver::vmult(LA::BlockVector &x, const LA::BlockVector &b) const
+  BlockAmgSolver::precondition(OwnedEntries &x, const OwnedEntries &b) const
   {
+    x.assign(b.size(), 0.);
     if (!has_multipliers)
       {
-        multigrid.vmult(x.block(0), b.block(0));
+        multigrid.vmult(x.data(), b.data());
         return;
       }
-    unscaled = b;
-    unscaled.block(1).scale(inverse_row_scale);
+    unscaled                  = b;
+    double *const multipliers = unscaled.data() + product.n_displacements();
+    for (unsigned int i = 0; i < row_scale.size(); ++i)
+      multipliers[i] /= row_scale[i];
     residual = unscaled;
-    augmentation.add_to(unscaled.block(1), residual.block(0));
-    multigrid.vmult(x.block(0), residual.block(0));
-    x.block(1) = 0.;
-    apply(*matrix, residual, x);
-    residual.sadd(-1., 1., unscaled);
+    augmentation.add_to(residual);
+    multigrid.vmult(x.data(), residual.data());
+    product.vmult_displacements(residual, x);
+    for (std::size_t i = 0; i < residual.size(); ++i)
+      residual[i] = unscaled[i] - residual[i];
     interface.add_correction(residual, x);
   }
 
 
 
-  unsigned int
-  BlockAmgSolver::iterate(LA::BlockVector       &x,
-                          const LA::BlockVector &b,
-                          const double           tolerance,
-                          const unsigned int     max_iterations,
-                          bool                  &converged) const
+  FlexibleGmres::Result
+  BlockAmgSolver::iterate(OwnedEntries       &x,
+                          const OwnedEntries &b,
+                          const double        tolerance,
+                          const unsigned int  max_iterations) const
   {
-    SolverControl control(max_iterations, tolerance, false, false);
-    SolverFGMRES<LA::BlockVector> solver(
-      control, SolverFGMRES<LA::BlockVector>::AdditionalData(krylov_vectors));
-    converged = true;
-    try
-      {
-        solver.solve(ScaledMatrix(*matrix, row_scale), x, b, *this);
-      }
-    catch (const SolverControl::NoConvergence &)
-      {
-        converged = false;
-      }
-    return control.last_step();
+    const FlexibleGmres solver(matrix->block(0, 0).get_mpi_communicator(),
+                               krylov_vectors);
+    return solver.solve(
+      [&](OwnedEntries &y, const OwnedEntries &z) {
+        product.vmult(y, z);
+        apply_row_scale(y);
+      },
+      [&](OwnedEntries &y, const OwnedEntries &z) { precondition(y, z); },
+      x,
+      b,
+      tolerance,
+      max_iterations);
   }
 
 
@@ -212,56 +178,55 @@ namespace stickslip
                         const LA::BlockVector &b,
                         const double           sufficient)
   {
-    LA::BlockVector rhs(b);
-    rhs.block(1).scale(row_scale);
+    OwnedEntries rhs = owned_entries(b);
+    apply_row_scale(rhs);
     const double reduction =
       std::max(parameters.relative_tolerance, std::min(sufficient, 0.1));
-    const double digits    = -std::log10(reduction);
-    const double tolerance = reduction * rhs.l2_norm();
-    x                      = 0.;
+    const double digits = -std::log10(reduction);
+    const double tolerance =
+      reduction *
+      FlexibleGmres::norm(rhs, matrix->block(0, 0).get_mpi_communicator());
+    OwnedEntries solution(rhs.size(), 0.);
     if (is_outdated && !is_fresh && reduction < loose_reduction)
       build_hierarchy();
-    LinearSolve result;
-    bool        converged = tolerance == 0.;
-    if (!converged && !is_fresh)
+    LinearSolve           result;
+    FlexibleGmres::Result last;
+    last.converged     = tolerance == 0.;
+    const auto attempt = [&](const unsigned int limit) {
+      last = iterate(solution, rhs, tolerance, limit);
+      result.iterations += last.iterations;
+    };
+    if (!last.converged && !is_fresh)
       {
         // give an old hierarchy up early
-        const unsigned int patience =
-          std::min<double>(parameters.max_iterations,
-                           2. * best * digits + patience_with_old);
-        result.iterations = iterate(x, rhs, tolerance, patience, converged);
-        if (!converged)
+        attempt(std::min<double>(parameters.max_iterations,
+                                 2. * best * digits + patience_with_old));
+        if (!last.converged)
           build_hierarchy();
       }
-    unsigned int iterations = result.iterations;
-    if (!converged)
-      {
-        iterations =
-          iterate(x, rhs, tolerance, parameters.max_iterations, converged);
-        result.iterations += iterations;
-      }
-    // its pool would keep them
-    GrowingVectorMemory<LA::BlockVector>::release_unused_memory();
+    if (!last.converged)
+      attempt(parameters.max_iterations);
+    set_owned_entries(x, solution);
     result.multigrid_setups = n_new;
     n_new                   = 0;
-    if (!converged)
+    if (!last.converged)
       {
         rebuild = true;
         std::ostringstream text;
-        text << "no convergence to " << reduction << " in " << iterations
+        text << "no convergence to " << reduction << " in " << last.iterations
              << " iterations";
         throw NoConvergence("Linear solver (block AMG)",
                             text.str(),
                             FailureCause::linear_solver);
       }
-    const double per_digit = iterations / digits;
+    const double per_digit = last.iterations / digits;
     if (is_fresh)
       best = per_digit;
     best                  = std::min(best, per_digit);
     const double expected = best * digits;
     rebuild               = parameters.rebuild_factor == 0. ||
-              iterations > std::max(parameters.rebuild_factor * expected,
-                                    expected + usual_variation);
+              last.iterations > std::max(parameters.rebuild_factor * expected,
+                                         expected + usual_variation);
     return result;
   }
 } // namespace stickslip

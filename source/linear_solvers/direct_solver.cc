@@ -35,12 +35,6 @@ namespace stickslip
 
 
 
-  DirectSolver::DirectSolver()
-    : factorization(DirectLibrary::mumps)
-  {}
-
-
-
   void
   DirectSolver::number_rows(const LA::BlockSparseMatrix &matrix,
                             const MPI_Comm              &communicator)

@@ -38,9 +38,7 @@ namespace stickslip
   {
     matrix  = &system;
     inverse = description.regularization;
-    scaled  = inverse;
-    force.reinit(system.block(0, 0).locally_owned_range_indices(),
-                 system.block(0, 0).get_mpi_communicator());
+    product.reinit(system.block(1, 0));
     for (const auto i : inverse.locally_owned_elements())
       {
         const double D = inverse(i) / factor +
@@ -55,9 +53,9 @@ namespace stickslip
   void
   InterfaceAugmentation::build_matrix(LA::SparseMatrix &added) const
   {
-    const LA::SparseMatrix &B     = matrix->block(1, 0);
-    const IndexSet          owned = force.locally_owned_elements();
-    StoredRow               row;
+    const LA::SparseMatrix &B = matrix->block(1, 0);
+    const IndexSet owned = matrix->block(0, 0).locally_owned_range_indices();
+    StoredRow      row;
 
     // hardly any row has entries
     LA::SparsityPattern pattern(owned,
@@ -113,12 +111,15 @@ namespace stickslip
 
 
   void
-  InterfaceAugmentation::add_to(const LA::Vector &multipliers,
-                                LA::Vector       &displacements) const
+  InterfaceAugmentation::add_to(OwnedEntries &entries) const
   {
-    scaled = multipliers;
-    scaled.scale(inverse);
-    matrix->block(1, 0).Tvmult(force, scaled);
-    displacements += force;
+    const unsigned int  n_multipliers = inverse.locally_owned_size();
+    const double *const multipliers =
+      entries.data() + entries.size() - n_multipliers;
+    const double *const factors = inverse.begin();
+    scaled.resize(n_multipliers);
+    for (unsigned int i = 0; i < n_multipliers; ++i)
+      scaled[i] = factors[i] * multipliers[i];
+    product.add_transposed(entries.data(), scaled.data());
   }
 } // namespace stickslip

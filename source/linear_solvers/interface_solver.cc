@@ -27,7 +27,6 @@ namespace stickslip
   InterfaceSolver::InterfaceSolver(const unsigned int largest)
     : largest(largest)
     , first(0)
-    , factorization(DirectLibrary::mumps)
     , parts(largest)
   {}
 
@@ -58,11 +57,15 @@ namespace stickslip
   {
     const MPI_Comm communicator = matrix.block(0, 0).get_mpi_communicator();
     rows.clear();
+    unsigned int entry = 0;
     for (const auto i : matrix.block(0, 0).locally_owned_range_indices())
-      if (LA::row_length(matrix.block(0, 1), i) > 0)
-        rows.push_back({0, i});
+      {
+        if (LA::row_length(matrix.block(0, 1), i) > 0)
+          rows.push_back({0, i, entry});
+        ++entry;
+      }
     for (const auto i : matrix.block(1, 1).locally_owned_range_indices())
-      rows.push_back({1, i});
+      rows.push_back({1, i, entry++});
     const types::global_dof_index n_owned = rows.size();
     first                                 = 0;
     const int error                       = MPI_Exscan(
@@ -183,18 +186,16 @@ namespace stickslip
 
 
   void
-  InterfaceSolver::add_correction(const LA::BlockVector &residual,
-                                  LA::BlockVector       &x)
+  InterfaceSolver::add_correction(const OwnedEntries &residual, OwnedEntries &x)
   {
+    // without compress(), which asks all ranks for foreign entries
     for (unsigned int k = 0; k < rows.size(); ++k)
-      rhs(first + k) = residual.block(rows[k].block)(rows[k].index);
-    rhs.compress(VectorOperation::insert);
+      rhs.begin()[k] = residual[rows[k].entry];
     if (is_large())
       parts.solve(solution, rhs);
     else
       check(factorization.solve(solution, rhs));
     for (unsigned int k = 0; k < rows.size(); ++k)
-      x.block(rows[k].block)(rows[k].index) += solution(first + k);
-    x.compress(VectorOperation::add);
+      x[rows[k].entry] += solution.begin()[k];
   }
 } // namespace stickslip

@@ -27,7 +27,6 @@ namespace stickslip
                    const LA::BlockVector       &rhs)
         : matrix(matrix)
         , rhs(rhs)
-        , factorization(DirectLibrary::mumps)
         , force(rhs.block(0))
       {
         check(factorization.factorise(matrix.block(0, 0)));

@@ -177,7 +177,9 @@ namespace
     K.block(0, 0).vmult(product.block(0), x.block(0));
     const double before = product.block(0).l2_norm();
     K.block(1, 0).vmult(product.block(1), x.block(0));
-    augmentation.add_to(product.block(1), product.block(0));
+    OwnedEntries entries = owned_entries(product);
+    augmentation.add_to(entries);
+    set_owned_entries(product, entries);
     added.vmult(residual.block(0), x.block(0));
     K.block(0, 0).vmult_add(residual.block(0), x.block(0));
     residual.block(0) -= product.block(0);
@@ -196,7 +198,9 @@ namespace
       "  unknowns of the interface: " + std::to_string(interface.n_unknowns()) +
       " of " + std::to_string(K.m()));
     LA::BlockVector correction = problem.zero_state();
-    interface.add_correction(x, correction);
+    OwnedEntries    solution(entries.size(), 0.);
+    interface.add_correction(owned_entries(x), solution);
+    set_owned_entries(correction, solution);
     K.vmult(residual, correction);
     residual -= x;
     double left = residual.block(1).linfty_norm();

@@ -8,9 +8,11 @@
 
 #include <stickslip/linear_solvers/factorization/distributed_factorization.h>
 #include <stickslip/linear_solvers/factorization/local_factorization.h>
+#include <stickslip/linear_solvers/factorization/root_factorization.h>
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -70,9 +72,6 @@ namespace
                                           {-16, -1},
                                           {-99, 5}})
       print_error(mumps_error(code, detail));
-    print("KLU");
-    for (const int code : {0, -21, -22, -1})
-      print_error(klu_error(code));
     print("UMFPACK");
     for (const int status : {0, 1, -1, -8})
       print_error(umfpack_error(status));
@@ -191,14 +190,14 @@ namespace
 
 
   void
-  test_library(const DirectLibrary library, const std::string &name)
+  test_mumps()
   {
-    print(name + " with matrices");
+    print("MUMPS with matrices");
     for (const Defect defect :
          {Defect::none, Defect::zero_row, Defect::equal_rows})
       {
         const TiedGrid           grid(12, defect);
-        DistributedFactorization factorization(library);
+        DistributedFactorization factorization;
         const FactorizationError error = factorization.factorise(grid.matrix);
         print("  " + name_of(error.kind));
         if (error)
@@ -211,6 +210,45 @@ namespace
 
 
 
+  /// The same matrices, on rank 0.
+  void
+  test_root()
+  {
+    print("UMFPACK with distributed matrices");
+    for (const Defect defect :
+         {Defect::none, Defect::zero_row, Defect::equal_rows})
+      {
+        const TiedGrid                      grid(12, defect);
+        std::vector<RootFactorization::Row> rows;
+        for (const auto i : grid.owned)
+          {
+            rows.emplace_back();
+            LA::visit_row(grid.matrix,
+                          i,
+                          [&](const auto column, const double value) {
+                            rows.back().columns.push_back(column);
+                            rows.back().values.push_back(value);
+                          });
+          }
+        RootFactorization        factorization;
+        const FactorizationError error =
+          factorization.factorise(rows, MPI_COMM_WORLD);
+        print("  " + name_of(error.kind));
+        const std::vector<double> b(grid.b.begin(), grid.b.end());
+        std::vector<double>       entries;
+        factorization.solve(entries, b);
+        LA::Vector x(grid.b);
+        std::copy(entries.begin(), entries.end(), x.begin());
+        if (error)
+          print("  no solution that looks like one",
+                !std::isfinite(x.l2_norm()));
+        else
+          print("  residual below 1e-9", grid.residual(x) < 1e-9);
+      }
+  }
+
+
+
   /// Pivoting needs more than MUMPS estimates; with as much as there is not in
   /// any computer it runs out of memory.
   void
@@ -218,7 +256,7 @@ namespace
   {
     print("Workspace of MUMPS");
     const TiedGrid           grid(40, Defect::none);
-    DistributedFactorization factorization(DirectLibrary::mumps, 0);
+    DistributedFactorization factorization(0);
     print_error(factorization.factorise(grid.matrix));
     const int supplement = factorization.workspace_supplement();
     print("  more than the usual supplement",
@@ -229,7 +267,7 @@ namespace
     print_error(factorization.factorise(grid.matrix));
     print("  enough at once the next time",
           factorization.workspace_supplement() == supplement);
-    DistributedFactorization insatiable(DirectLibrary::mumps, 100000000);
+    DistributedFactorization insatiable(100000000);
     const FactorizationError error = insatiable.factorise(grid.matrix);
     print("  " + name_of(error.kind) +
           ", INFOG(1) = " + std::to_string(error.code));
@@ -261,8 +299,8 @@ main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_meanings();
   test_causes();
-  test_library(DirectLibrary::mumps, "MUMPS");
-  test_library(DirectLibrary::klu, "KLU");
+  test_mumps();
+  test_root();
   test_workspace();
   test_local();
 }

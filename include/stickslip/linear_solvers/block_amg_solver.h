@@ -1,12 +1,15 @@
 #ifndef stickslip_linear_solvers_block_amg_solver_h
 #define stickslip_linear_solvers_block_amg_solver_h
 
+#include <stickslip/linear_solvers/block_product.h>
+#include <stickslip/linear_solvers/flexible_gmres.h>
 #include <stickslip/linear_solvers/interface_augmentation.h>
 #include <stickslip/linear_solvers/interface_solver.h>
 #include <stickslip/linear_solvers/linear_solver.h>
 #include <stickslip/linear_solvers/multigrid/displacement_multigrid.h>
 
 #include <memory>
+#include <vector>
 
 namespace stickslip
 {
@@ -35,10 +38,6 @@ namespace stickslip
           const LA::BlockVector &b,
           const double           sufficient) override;
 
-    /// The preconditioner, for rows scaled as in the iteration. Collective.
-    void
-    vmult(LA::BlockVector &x, const LA::BlockVector &b) const;
-
   private:
     const LinearSolverParameters  parameters;
     const LA::BlockSparseMatrix  *matrix          = nullptr;
@@ -55,8 +54,9 @@ namespace stickslip
 
     /// Makes rows of multipliers as large as those of displacements: B row in
     /// units of a gap, times a stiffness.
-    LA::Vector              row_scale, inverse_row_scale;
-    mutable LA::BlockVector unscaled, residual;
+    std::vector<double>  row_scale; ///< by owned multiplier
+    BlockProduct         product;
+    mutable OwnedEntries unscaled, residual;
 
     bool         is_fresh    = false; ///< the hierarchy is of this matrix
     bool         rebuild     = true;
@@ -75,12 +75,19 @@ namespace stickslip
     void
     scale_rows();
 
-    unsigned int
-    iterate(LA::BlockVector       &x,
-            const LA::BlockVector &b,
-            const double           tolerance,
-            const unsigned int     max_iterations,
-            bool                  &converged) const;
+    /// The preconditioner, for rows scaled as in the iteration. Collective.
+    void
+    precondition(OwnedEntries &x, const OwnedEntries &b) const;
+
+    FlexibleGmres::Result
+    iterate(OwnedEntries       &x,
+            const OwnedEntries &b,
+            const double        tolerance,
+            const unsigned int  max_iterations) const;
+
+    /// Multiplies the multipliers of @p entries with the scales of their rows.
+    void
+    apply_row_scale(OwnedEntries &entries) const;
   };
 } // namespace stickslip
 

@@ -16,8 +16,6 @@ namespace stickslip
   class DirectSolver : public LinearSolver
   {
   public:
-    DirectSolver();
-
     void
     setup(const LA::BlockSparseMatrix &matrix,
           const SystemDescriber       &describe) override;

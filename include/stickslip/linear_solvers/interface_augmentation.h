@@ -3,6 +3,10 @@
 
 #include <stickslip/base/block_system.h>
 
+#include <stickslip/linear_solvers/block_product.h>
+
+#include <vector>
+
 namespace stickslip
 {
   /**
@@ -31,9 +35,10 @@ namespace stickslip
     void
     build_matrix(LA::SparseMatrix &added) const;
 
-    /// Adds B^T D^-1 @p multipliers to @p displacements. Collective.
+    /// Adds B^T D^-1 times the multipliers of @p entries to their displacements.
+    /// Collective.
     void
-    add_to(const LA::Vector &multipliers, LA::Vector &displacements) const;
+    add_to(OwnedEntries &entries) const;
 
     /// What each multiplier adds to the stiffness: the squares of its row of B
     /// over D. Collective.
@@ -50,8 +55,8 @@ namespace stickslip
   private:
     const LA::BlockSparseMatrix *matrix = nullptr;
     LA::Vector                   inverse;
-    mutable LA::Vector           scaled;
-    mutable LA::Vector           force;
+    NeighbourProduct             product; ///< with B
+    mutable std::vector<double>  scaled;
   };
 } // namespace stickslip
 

@@ -3,6 +3,7 @@
 
 #include <stickslip/base/block_system.h>
 
+#include <stickslip/linear_solvers/block_product.h>
 #include <stickslip/linear_solvers/factorization/distributed_factorization.h>
 #include <stickslip/linear_solvers/overlapping_parts.h>
 
@@ -34,7 +35,7 @@ namespace stickslip
     /// Adds to @p x the solution for the part of @p residual in the interface.
     /// Collective.
     void
-    add_correction(const LA::BlockVector &residual, LA::BlockVector &x);
+    add_correction(const OwnedEntries &residual, OwnedEntries &x);
 
     /// Unknowns of the interface, over all ranks.
     types::global_dof_index
@@ -48,7 +49,8 @@ namespace stickslip
     struct Row
     {
       unsigned int            block;
-      types::global_dof_index index;
+      types::global_dof_index index; ///< in its block
+      unsigned int            entry; ///< among the owned entries
     };
 
     const unsigned int        largest;

@@ -2,7 +2,6 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <Amesos_Klu.h>
 #include <Amesos_Mumps.h>
 #include <Epetra_LinearProblem.h>
 
@@ -39,36 +38,19 @@ namespace stickslip
     private:
       std::streambuf *const buffer;
     };
-
-
-
-    std::unique_ptr<Amesos_BaseSolver>
-    make_solver(const DirectLibrary         library,
-                const int                   supplement,
-                const Epetra_LinearProblem &problem)
-    {
-      if (library == DirectLibrary::klu)
-        return std::make_unique<Amesos_Klu>(problem);
-      AssertThrow(library == DirectLibrary::mumps,
-                  ExcMessage("Not a library for distributed matrices."));
-      auto solver = std::make_unique<Amesos_Mumps>(problem);
-      solver->SetICNTL(14, supplement);
-      return solver;
-    }
   } // namespace
 
 
 
   struct DistributedFactorization::Factors
   {
-    Factors(const DirectLibrary     library,
-            const int               supplement,
-            const LA::SparseMatrix &matrix)
+    Factors(const int supplement, const LA::SparseMatrix &matrix)
       : communicator(matrix.get_mpi_communicator())
     {
       problem.SetOperator(
         const_cast<Epetra_CrsMatrix *>(&matrix.trilinos_matrix()));
-      solver = make_solver(library, supplement, problem);
+      solver = std::make_unique<Amesos_Mumps>(problem);
+      solver->SetICNTL(14, supplement);
     }
 
     FactorizationError
@@ -92,9 +74,9 @@ namespace stickslip
     }
 
   private:
-    const MPI_Comm                     communicator;
-    Epetra_LinearProblem               problem;
-    std::unique_ptr<Amesos_BaseSolver> solver;
+    const MPI_Comm                communicator;
+    Epetra_LinearProblem          problem;
+    std::unique_ptr<Amesos_Mumps> solver;
 
     /// What the last call meant, from its return code on this rank. MUMPS may
     /// run on some of the ranks only, rank 0 among them; Amesos calls all of
@@ -104,18 +86,14 @@ namespace stickslip
     {
       const bool is_root =
         dealii::Utilities::MPI::this_mpi_process(communicator) == 0;
-      auto *const mumps     = dynamic_cast<Amesos_Mumps *>(solver.get());
-      const bool  has_infog = is_root && mumps != nullptr;
       // what rank 0 knows, and how many ranks failed
-      const std::vector<int> seen{has_infog ? mumps->GetINFOG()[0] : 0,
-                                  has_infog ? mumps->GetINFOG()[1] : 0,
-                                  is_root ? code : 0,
+      const std::vector<int> seen{is_root ? solver->GetINFOG()[0] : 0,
+                                  is_root ? solver->GetINFOG()[1] : 0,
                                   code != 0 ? 1 : 0};
       std::vector<int> sums(seen.size());
       dealii::Utilities::MPI::sum(seen, communicator, sums);
-      FactorizationError result =
-        mumps != nullptr ? mumps_error(sums[0], sums[1]) : klu_error(sums[2]);
-      if (!result && sums[3] > 0)
+      FactorizationError result = mumps_error(sums[0], sums[1]);
+      if (!result && sums[2] > 0)
         result.kind = FactorizationError::Kind::other;
       return result;
     }
@@ -123,11 +101,8 @@ namespace stickslip
 
 
 
-  DistributedFactorization::DistributedFactorization(
-    const DirectLibrary library,
-    const int           supplement)
-    : library(library)
-    , supplement(supplement)
+  DistributedFactorization::DistributedFactorization(const int supplement)
+    : supplement(supplement)
   {}
 
 
@@ -150,7 +125,7 @@ namespace stickslip
     while (true)
       {
         factors.reset();
-        factors = std::make_unique<Factors>(library, supplement, matrix);
+        factors = std::make_unique<Factors>(supplement, matrix);
         const FactorizationError error = factors->factorise();
         if (error.kind != FactorizationError::Kind::workspace ||
             supplement >= largest_supplement)

@@ -79,8 +79,6 @@ namespace stickslip
         {
           case DirectLibrary::mumps:
             return "MUMPS";
-          case DirectLibrary::klu:
-            return "KLU";
           case DirectLibrary::umfpack:
             return "UMFPACK";
         }
@@ -143,24 +141,6 @@ namespace stickslip
       meaning == mumps_meanings().end() ? Kind::other : meaning->second.kind;
     error.code   = infog_1;
     error.amount = mumps_amount(infog_2);
-    return error;
-  }
-
-
-
-  FactorizationError
-  klu_error(const int code)
-  {
-    // Amesos_BaseSolver.h
-    constexpr int structurally_singular = -21, numerically_singular = -22;
-
-    FactorizationError error;
-    error.library = DirectLibrary::klu;
-    error.code    = code;
-    if (code == structurally_singular || code == numerically_singular)
-      error.kind = Kind::singular;
-    else if (code != 0)
-      error.kind = Kind::other;
     return error;
   }
 

@@ -293,21 +293,20 @@ namespace stickslip
       {
         space.update_ghosts(x);
         matrix->residual(y, x, zero);
-        double before = 0., after = 0.;
+        std::vector<double> squares(2, 0.); // before and after
         for (unsigned int node = 0; node < matrix->n_rows(); ++node)
           scale(node, y.data() + matrix->row_begin(node));
         for (unsigned int i = 0; i < n; ++i)
           {
-            before += x[i] * x[i];
-            after += y[i] * y[i];
+            squares[0] += x[i] * x[i];
+            squares[1] += y[i] * y[i];
           }
-        before = Utilities::MPI::sum(before, space.communicator());
-        after  = Utilities::MPI::sum(after, space.communicator());
-        if (after <= 0.)
+        Utilities::MPI::sum(squares, space.communicator(), squares);
+        if (squares[1] <= 0.)
           break;
-        value = std::sqrt(after / before);
+        value = std::sqrt(squares[1] / squares[0]);
         for (unsigned int i = 0; i < n; ++i)
-          x[i] = y[i] / std::sqrt(after);
+          x[i] = y[i] / std::sqrt(squares[1]);
       }
     return value;
   }

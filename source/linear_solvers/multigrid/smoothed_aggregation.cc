@@ -21,18 +21,11 @@ namespace stickslip
 
 
 
-  SmoothedAggregation::SmoothedAggregation()
-    : coarsest_factors(DirectLibrary::klu)
-  {}
-
-
-
   void
   SmoothedAggregation::clear()
   {
     levels.clear();
     coarsest_factors.clear();
-    coarsest_matrix.clear();
   }
 
 
@@ -111,65 +104,27 @@ namespace stickslip
   void
   SmoothedAggregation::factorise_coarsest()
   {
-    const BlockMatrix<double>           &A     = levels.back()->matrix;
-    const NodeSpace                     &space = A.column_space();
-    const IndexSet                      &owned = space.owned_unknowns();
-    std::vector<types::global_dof_index> columns;
-    std::vector<double>                  values;
-    const auto read_columns = [&](const unsigned int row) {
-      columns.clear();
-      for (auto k = A.column_begin(row); k < A.column_begin(row + 1); ++k)
-        for (auto i = space.begin(A.column(k));
-             i < space.begin(A.column(k) + 1);
-             ++i)
-          columns.push_back(space.global_unknown(i));
-    };
-    LA::SparsityPattern pattern(owned, owned, space.communicator(), 0);
+    const BlockMatrix<double>          &A     = levels.back()->matrix;
+    const NodeSpace                    &space = A.column_space();
+    std::vector<RootFactorization::Row> rows;
     for (unsigned int row = 0; row < A.n_rows(); ++row)
       {
-        read_columns(row);
-        for (unsigned int r = 0; r < A.height(row); ++r)
-          pattern.add_entries(space.global_unknown(A.row_begin(row) + r),
-                              columns.begin(),
-                              columns.end());
-      }
-    pattern.compress();
-    coarsest_matrix.reinit(pattern);
-    for (unsigned int row = 0; row < A.n_rows(); ++row)
-      {
-        read_columns(row);
+        std::vector<long> columns;
+        for (auto k = A.column_begin(row); k < A.column_begin(row + 1); ++k)
+          for (auto i = space.begin(A.column(k));
+               i < space.begin(A.column(k) + 1);
+               ++i)
+            columns.push_back(space.global_unknown(i));
         for (unsigned int r = 0; r < A.height(row); ++r)
           {
             const double *const entries = A.panel(row) + r * A.width(row);
-            values.assign(entries, entries + A.width(row));
-            coarsest_matrix.set(space.global_unknown(A.row_begin(row) + r),
-                                columns,
-                                values,
-                                false);
+            rows.push_back(
+              {columns, std::vector<double>(entries, entries + A.width(row))});
           }
       }
-    coarsest_matrix.compress(VectorOperation::insert);
-    coarsest_x.reinit(owned, space.communicator());
-    coarsest_b.reinit(owned, space.communicator());
     const FactorizationError error =
-      coarsest_factors.factorise(coarsest_matrix);
+      coarsest_factors.factorise(rows, space.communicator());
     AssertThrow(!error, ExcMessage("coarsest level: " + describe(error)));
-  }
-
-
-
-  void
-  SmoothedAggregation::solve_coarsest() const
-  {
-    const Level &level = *levels.back();
-    level.x.resize(level.b.size());
-    std::copy_n(level.b.begin(),
-                coarsest_b.locally_owned_size(),
-                coarsest_b.begin());
-    throw_if_failed(coarsest_factors.solve(coarsest_x, coarsest_b),
-                    "Linear solver (block AMG, coarsest level)",
-                    "its matrix is singular");
-    std::copy(coarsest_x.begin(), coarsest_x.end(), level.x.begin());
   }
 
 
@@ -179,7 +134,7 @@ namespace stickslip
   {
     if (l + 1 == levels.size())
       {
-        solve_coarsest();
+        coarsest_factors.solve(levels[l]->x, levels[l]->b);
         return;
       }
     const Level &level = *levels[l];
@@ -199,11 +154,11 @@ namespace stickslip
 
 
   void
-  SmoothedAggregation::vmult(LA::Vector &x, const LA::Vector &b) const
+  SmoothedAggregation::vmult(double *const x, const double *const b) const
   {
     const Level &finest = *levels[0];
-    finest.b.assign(b.begin(), b.end());
+    finest.b.assign(b, b + finest.matrix.column_space().n_owned_unknowns());
     cycle(0);
-    std::copy_n(finest.x.begin(), finest.b.size(), x.begin());
+    std::copy_n(finest.x.begin(), finest.b.size(), x);
   }
 } // namespace stickslip

@@ -10,9 +10,9 @@
 namespace stickslip
 {
   /**
-   * LU factors of a distributed matrix: MUMPS, or KLU on one rank, both through
-   * Amesos. Unlike deal.II's SolverDirect it says what went wrong, and it
-   * repeats a factorisation for which the workspace was too small.
+   * LU factors of a distributed matrix by MUMPS, through Amesos. Unlike
+   * deal.II's SolverDirect it says what went wrong, and it repeats a
+   * factorisation for which the workspace was too small.
    *
    * MUMPS allocates its workspace before it pivots, and estimates it without
    * looking at the values. With pivots off the diagonal, as in a saddle point
@@ -26,9 +26,8 @@ namespace stickslip
     /// Supplement to the workspace that MUMPS estimates, in per cent.
     static constexpr int usual_supplement = 20;
 
-    /// @p supplement: the first one tried (MUMPS only).
-    explicit DistributedFactorization(const DirectLibrary library,
-                                      const int supplement = usual_supplement);
+    /// @p supplement: the first one tried .
+    explicit DistributedFactorization(const int supplement = usual_supplement);
 
     ~DistributedFactorization();
 
@@ -56,7 +55,6 @@ namespace stickslip
   private:
     struct Factors;
 
-    const DirectLibrary      library;
     int                      supplement;
     std::unique_ptr<Factors> factors;
   };

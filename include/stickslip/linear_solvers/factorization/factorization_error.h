@@ -14,7 +14,6 @@ namespace stickslip
   enum class DirectLibrary
   {
     mumps,
-    klu,
     umfpack
   };
 
@@ -53,10 +52,6 @@ namespace stickslip
   /// 8). Positive values are warnings, and no error.
   FactorizationError
   mumps_error(const int infog_1, const int infog_2);
-
-  /// Decodes a return code of Amesos with KLU.
-  FactorizationError
-  klu_error(const int code);
 
   /// Decodes a status of UMFPACK (umfpack.h). A singular matrix is a warning
   /// there; here it is an error.

@@ -36,6 +36,13 @@ namespace stickslip
     void
     vmult(LA::Vector &x, const LA::Vector &b) const
     {
+      hierarchy.vmult(x.begin(), b.begin());
+    }
+
+    /// The same for arrays of the entries that this rank owns.
+    void
+    vmult(double *x, const double *b) const
+    {
       hierarchy.vmult(x, b);
     }
 

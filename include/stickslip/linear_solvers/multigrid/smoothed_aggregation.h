@@ -3,14 +3,11 @@
 
 #include <stickslip/base/types.h>
 
-#include <stickslip/linear_solvers/factorization/distributed_factorization.h>
+#include <stickslip/linear_solvers/factorization/root_factorization.h>
 #include <stickslip/linear_solvers/multigrid/aggregation.h>
 #include <stickslip/linear_solvers/multigrid/block_gauss_seidel.h>
 
 #include <cstddef>
-#include <memory>
-#include <vector>
-
 #include <memory>
 #include <vector>
 
@@ -26,8 +23,6 @@ namespace stickslip
   class SmoothedAggregation
   {
   public:
-    SmoothedAggregation();
-
     /**
      * Makes the hierarchy of @p matrix. If @p prolongation has rows, they are
      * that to the second level, whose nodes are @p second; @p modes are those
@@ -43,10 +38,10 @@ namespace stickslip
     void
     clear();
 
-    /// One cycle with a zero initial guess. Throws NoConvergence if the solve
-    /// on the coarsest level fails. Collective.
+    /// One cycle with a zero initial guess, for arrays of the entries that this
+    /// rank owns. Collective.
     void
-    vmult(LA::Vector &x, const LA::Vector &b) const;
+    vmult(double *x, const double *b) const;
 
     unsigned int
     n_levels() const
@@ -73,9 +68,7 @@ namespace stickslip
     };
 
     std::vector<std::unique_ptr<Level>> levels;
-    LA::SparseMatrix                    coarsest_matrix;
-    DistributedFactorization            coarsest_factors;
-    mutable LA::Vector                  coarsest_x, coarsest_b;
+    RootFactorization                   coarsest_factors;
 
     /// Adds the level above the present coarsest one.
     void
@@ -87,9 +80,6 @@ namespace stickslip
     /// x of the level from its b.
     void
     cycle(const unsigned int level) const;
-
-    void
-    solve_coarsest() const;
   };
 } // namespace stickslip
 
