@@ -41,9 +41,11 @@ namespace stickslip
         names.push_back(name);
         const std::string path = "'Contact/" + name;
         const auto        master =
-          std::find_if(bodies.begin(), bodies.end(), [&](const auto &body) {
-            return body.first == pair.master_body;
-          });
+          std::find_if(bodies.begin(),
+                       bodies.end(),
+                       [&wanted = pair.master_body](const auto &body) {
+                         return body.first == wanted;
+                       });
         const std::string rule =
           about_rule(pair, master != bodies.end() && master->second.is_rigid);
         if (!rule.empty())

@@ -1,5 +1,7 @@
 #include <stickslip/simulation/step_solver.h>
 
+#include <stickslip/contact/assembly/friction_multipliers.h>
+
 #include <stickslip/simulation/dual_increment.h>
 
 #include <stickslip/strategy/nested_fixed_point.h>
@@ -37,6 +39,12 @@ namespace stickslip
       accept_iterate(const LA::BlockVector &x) override
       {
         problem.begin_iteration(x);
+      }
+
+      void
+      limit(LA::BlockVector &x) const override
+      {
+        shorten_friction_multipliers(problem.contact(), x.block(1));
       }
 
       NewtonIteration

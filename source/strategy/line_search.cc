@@ -40,6 +40,7 @@ namespace stickslip
     const auto            try_step = [&](const double length) {
       x = start;
       x.add(length, increment);
+      problem.limit(x);
       NewtonIteration state = problem.residual(x);
       state.step_length     = length;
       return state;

@@ -568,6 +568,36 @@ namespace
 
 
 
+  /// atan(x) = 0 diverges from beyond 1.39, unless trial states are limited.
+  void
+  test_limit()
+  {
+    class Limited : public Equation
+    {
+    public:
+      using Equation::Equation;
+
+      void
+      limit(LA::BlockVector &x) const override
+      {
+        x.block(0)(0) = std::max(-1., std::min(value_of(x), 1.));
+        x.compress(VectorOperation::insert);
+      }
+    };
+
+    const auto f       = [](const double x) { return std::atan(x); };
+    const auto tangent = [](const double x) { return 1. / (1. + x * x); };
+    std::cout << "Limited trial states\n";
+    Equation plain(f, tangent);
+    solve("atan x from 2", plain, 2.);
+    Limited limited(f, tangent);
+    solve("the same, |x| <= 1", limited, 2.);
+    std::cout << "  first iterates " << limited.iterates[0] << ' '
+              << limited.iterates[1] << '\n';
+  }
+
+
+
   void
   test_forcing()
   {
@@ -644,6 +674,7 @@ main(int argc, char *argv[])
   test_roundoff();
   test_treatment();
   test_release();
+  test_limit();
   test_forcing();
   test_monitors();
 }

@@ -38,6 +38,12 @@ namespace stickslip
     accept_iterate(const LA::BlockVector & /*x*/)
     {}
 
+    /// Called with every trial state before its residual: takes back what an
+    /// increment has done beyond any use, without effect on a solution.
+    virtual void
+    limit(LA::BlockVector & /*x*/) const
+    {}
+
     /// The first three entries; with live quantities recomputed.
     virtual NewtonIteration
     residual(const LA::BlockVector &x) = 0;
