@@ -22,6 +22,15 @@
 
 namespace stickslip
 {
+  namespace
+  {
+    /// Displacements up to this fraction of the extent of the model are
+    /// roundoff.
+    constexpr double roundoff_of_positions = 1e-12;
+  } // namespace
+
+
+
   template <int dim>
   ContactProblem<dim>::ContactProblem(
     Mesh<dim>                                    &mesh,
@@ -87,7 +96,7 @@ namespace stickslip
     double     modulus = 0.;
     for (unsigned int m = 0; m < mesh.bodies.regions.size(); ++m)
       modulus = std::max(modulus, solid_assembler->longitudinal_modulus(m));
-    double extent = box.get_boundary_points().first.distance(
+    extent = box.get_boundary_points().first.distance(
       box.get_boundary_points().second);
     extent      = Utilities::MPI::max(extent, communicator);
     force_floor = 1e-8 * modulus * std::pow(extent, dim - 1);
@@ -245,7 +254,7 @@ namespace stickslip
     Timer           timer;
     LA::BlockVector internal = zero_state(), external = zero_state(),
                     contact = zero_state();
-    LA::Vector row_scale(contact.block(1));
+    LA::Vector row_scale(contact.block(1)), row_force(contact.block(1));
     solid_assembler->add_residual(
       u, time, constraints->geometric(), internal.block(0), external.block(0));
     internal.compress(VectorOperation::add);
@@ -254,48 +263,41 @@ namespace stickslip
     timer.restart();
     contact_assembler->add_residual(constraints->geometric(),
                                     contact,
-                                    row_scale);
+                                    row_scale,
+                                    row_force);
     contact.compress(VectorOperation::add);
     row_scale.compress(VectorOperation::add);
+    row_force.compress(VectorOperation::add);
     counts.contact_seconds += timer.wall_time();
 
     forces = internal.block(0);
     forces += contact.block(0);
     forces_of_contact = contact.block(0);
-    unbalanced = forces;
+    unbalanced        = forces;
     unbalanced -= external.block(0);
 
-    std::array<double, 3> squares{}; // imbalance, reactions, loads
-    for (const auto i : dofs.owned)
-      {
-        const double r = unbalanced(i);
-        squares[constraints->increment().is_constrained(i) ? 1 : 0] += r * r;
-        squares[2] += external.block(0)(i) * external.block(0)(i);
-      }
-    double                        largest = 0.;
-    const types::global_dof_index n_u     = dofs.owned.size();
-    for (const auto i : contact.block(1).locally_owned_elements())
-      if (!constraints->increment().is_constrained(n_u + i) &&
-          row_scale(i) > 0.)
-        largest =
-          std::max(largest, std::abs(contact.block(1)(i)) / row_scale(i));
-    Utilities::MPI::sum(ArrayView<const double>(squares.data(), squares.size()),
-                        communicator,
-                        ArrayView<double>(squares.data(), squares.size()));
-
-    if (std::isnan(squares[2]))
+    if (std::isnan(external.block(0).l2_norm()))
       throw UserError(
         "A load (traction, pressure, spring or body force in 'Boundary "
         "conditions') is not a number at time " +
         std::to_string(time) + ".");
-
-    ResidualNorms norms;
-    norms.equilibrium =
-      std::sqrt(squares[0]) /
-      std::max({std::sqrt(squares[1]), std::sqrt(squares[2]), force_floor});
-    norms.contact    = Utilities::MPI::max(largest, communicator);
+    ResidualNorms norms = residual_norms(
+      {unbalanced, external.block(0), contact.block(1), row_scale, row_force},
+      constraints->increment(),
+      force_floor,
+      communicator);
     norms.prescribed = constraints->unapplied_displacement();
     return norms;
+  }
+
+
+
+  template <int dim>
+  double
+  ContactProblem<dim>::negligible_unknown(const unsigned int b) const
+  {
+    return b == 0 ? roundoff_of_positions * extent
+                  : negligible_pressure(*contact_assembler);
   }
 
 

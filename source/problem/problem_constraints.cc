@@ -9,6 +9,29 @@
 
 namespace stickslip
 {
+  namespace
+  {
+    /// Those that this rank owns.
+    template <int dim>
+    IndexSet
+    dofs_of_rigid_bodies(const DofLayout<dim> &dofs, const Bodies &bodies)
+    {
+      IndexSet                             rigid(dofs.owned.size());
+      std::vector<types::global_dof_index> of_cell(
+        dofs.dof_handler.get_fe().n_dofs_per_cell());
+      for (const auto &cell : dofs.dof_handler.active_cell_iterators())
+        if (!cell->is_artificial() &&
+            bodies.bodies[bodies.body_of(cell->material_id())].is_rigid)
+          {
+            cell->get_dof_indices(of_cell);
+            rigid.add_indices(of_cell.begin(), of_cell.end());
+          }
+      return rigid & dofs.owned;
+    }
+  } // namespace
+
+
+
   template <int dim>
   ProblemConstraints<dim>::ProblemConstraints(
     const DofLayout<dim>          &dofs,
@@ -28,6 +51,7 @@ namespace stickslip
                           "Contact/" + pair->name + "/Master body");
         master_is_rigid.push_back(bodies.bodies[master].is_rigid);
       }
+    rigid_dofs = dofs_of_rigid_bodies(dofs, bodies);
   }
 
 
@@ -143,6 +167,23 @@ namespace stickslip
       dofs.mapping, dofs.dof_handler, time, displacement, lines);
     lines.close();
     return largest_inhomogeneity(lines, displacement);
+  }
+
+
+
+  template <int dim>
+  void
+  ProblemConstraints<dim>::place_rigid_bodies(const double time,
+                                              LA::Vector  &displacement) const
+  {
+    Constraints lines(dofs.relevant);
+    boundary_conditions.add_prescribed_displacements(
+      dofs.mapping, dofs.dof_handler, time, displacement, lines);
+    lines.close();
+    for (const auto i : rigid_dofs)
+      if (lines.is_inhomogeneously_constrained(i))
+        displacement(i) += lines.get_inhomogeneity(i);
+    displacement.compress(VectorOperation::add);
   }
 
 

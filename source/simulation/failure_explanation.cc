@@ -251,8 +251,7 @@ namespace stickslip
                     "the residual grows.",
                     where,
                     "a smaller 'Load stepping/Initial step'; "
-                    "'Algorithm/Newton/Line search = backtracking'; 'Load "
-                    "stepping/Predictor = none'."};
+                    "'Load stepping/Predictor = none'."};
           case ResidualTrend::stagnates:
             return {"residual above its tolerance",
                     "the residual stands just above its tolerance and does not "

@@ -51,7 +51,12 @@ namespace stickslip
       residual(const LA::BlockVector &x) override
       {
         const ResidualNorms norms = problem.residual(x);
-        return {norms.equilibrium, norms.contact, norms.prescribed};
+        NewtonIteration     state;
+        state.equilibrium = norms.equilibrium;
+        state.contact     = norms.contact;
+        state.prescribed  = norms.prescribed;
+        state.merit       = norms.merit;
+        return state;
       }
 
       void
@@ -86,6 +91,12 @@ namespace stickslip
       inadmissible_place() const override
       {
         return problem.inadmissible_state().place;
+      }
+
+      double
+      negligible_unknown(const unsigned int b) const override
+      {
+        return problem.negligible_unknown(b);
       }
 
       void
@@ -183,6 +194,8 @@ namespace stickslip
       try
         {
           x = attempt.guess == Attempt::Guess::predicted ? predicted : accepted;
+          if (attempt.guess == Attempt::Guess::predicted)
+            problem.place_rigid_bodies(x.block(0));
           prepare(attempt);
           make(attempt, x);
           verify(x);

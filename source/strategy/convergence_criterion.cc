@@ -1,5 +1,7 @@
 #include <stickslip/strategy/convergence_criterion.h>
 
+#include <stickslip/strategy/residual_monitors.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -11,8 +13,9 @@ namespace stickslip
     /// roundoff.
     constexpr double roundoff_increment = 1e-13;
 
-    /// How far above its tolerance such a residual may be, as a factor.
-    constexpr double roundoff_allowance = 100.;
+    /// A relative increment up to which one that is still to come is not worth
+    /// an iteration.
+    constexpr double negligible_increment = 1e-10;
 
     /// Unknowns that have fallen to this fraction of the largest they have been
     /// are roundoff.
@@ -24,6 +27,20 @@ namespace stickslip
     relative_to(const double tolerance, const double residual)
     {
       return residual / std::max(tolerance, std::numeric_limits<double>::min());
+    }
+    /// What the increment after @p state is expected to be: smaller than the
+    /// last one by the factor by which that has reduced the residual. While
+    /// displacements are being prescribed the residual before is that of
+    /// another problem, and reactions and face sizes are what it is measured
+    /// by.
+    double
+    expected_increment(const NewtonIteration &before,
+                       const NewtonIteration &state)
+    {
+      const double residual_before =
+        before.prescribed > 0. ? 1. : residual_size(before);
+      return state.increment * residual_size(state) /
+             std::max(residual_before, std::numeric_limits<double>::min());
     }
   } // namespace
 
@@ -39,15 +56,20 @@ namespace stickslip
 
   bool
   ConvergenceCriterion::is_met(const unsigned int     iteration,
+                               const NewtonIteration &before,
                                const NewtonIteration &state) const
   {
-    const bool is_roundoff = iteration > 0 && state.step_length == 1. &&
-                             state.increment <= roundoff_increment;
+    const bool is_full_step = iteration > 0 && state.step_length == 1.;
+    const bool is_roundoff =
+      is_full_step && state.increment <= roundoff_increment;
     const double allowance = is_roundoff ? roundoff_allowance : 1.;
+    const bool   has_settled =
+      iteration == 0 || state.increment <= increment_tolerance ||
+      (is_full_step &&
+       expected_increment(before, state) <= negligible_increment);
     return state.prescribed == 0. &&
            state.equilibrium <= allowance * equilibrium_tolerance &&
-           state.contact <= contact_tolerance &&
-           (iteration == 0 || state.increment <= increment_tolerance);
+           state.contact <= contact_tolerance && has_settled;
   }
 
 
@@ -61,11 +83,15 @@ namespace stickslip
 
 
 
-  IncrementNorm::IncrementNorm(const LA::BlockVector &start)
+  IncrementNorm::IncrementNorm(const NewtonProblem   &problem,
+                               const LA::BlockVector &start)
   {
     for (unsigned int b = 0; b < start.n_blocks(); ++b)
-      largest.push_back(start.block(b).size() > 0 ? start.block(b).linfty_norm()
-                                                  : 0.);
+      {
+        largest.push_back(
+          start.block(b).size() > 0 ? start.block(b).linfty_norm() : 0.);
+        negligible.push_back(problem.negligible_unknown(b));
+      }
   }
 
 
@@ -80,11 +106,12 @@ namespace stickslip
         {
           const double size = x.block(b).linfty_norm();
           largest[b]        = std::max(largest[b], size);
+          const double roundoff =
+            std::max(negligible[b], roundoff_of_unknowns * largest[b]);
           if (largest[b] > 0.)
-            result =
-              std::max(result,
-                       increment.block(b).linfty_norm() /
-                         std::max(size, roundoff_of_unknowns * largest[b]));
+            result = std::max(result,
+                              increment.block(b).linfty_norm() /
+                                std::max(size, roundoff));
         }
     return result;
   }

@@ -4,37 +4,64 @@
 
 #include <stickslip/strategy/residual_monitors.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace stickslip
 {
   namespace
   {
-    /// Share of the step length by which a step has to reduce the residual.
+    /// Share of the step length by which a step has to reduce the merit.
     constexpr double sufficient_decrease = 0.1;
 
+    /// Factor by which the merit of a state of roundoff may grow.
+    constexpr double growth_of_roundoff = 10.;
 
-
-    bool
-    decreases_enough(const NewtonIteration &before,
-                     const NewtonIteration &state)
-    {
-      return residual_size(state) <
-             (1. - sufficient_decrease * state.step_length) *
-               residual_size(before);
-    }
+    /// Iterates whose largest merit is the reference.
+    constexpr unsigned int n_remembered_iterates = 2;
   } // namespace
 
 
 
+  void
+  MeritReference::restart()
+  {
+    last_merits.clear();
+  }
+
+
+
+  void
+  MeritReference::add(const NewtonIteration &state)
+  {
+    if (state.prescribed > 0.)
+      return;
+    last_merits.push_back(state.merit);
+    if (last_merits.size() > n_remembered_iterates)
+      last_merits.pop_front();
+  }
+
+
+
+  double
+  MeritReference::value() const
+  {
+    return last_merits.empty()
+             ? std::numeric_limits<double>::infinity()
+             : *std::max_element(last_merits.begin(), last_merits.end());
+  }
+
+
+
   NewtonIteration
-  advance(NewtonProblem         &problem,
-          const LA::BlockVector &increment,
-          const NewtonIteration &before,
-          const bool             needs_decrease,
-          const unsigned int     max_halvings,
-          LA::BlockVector       &x)
+  advance(NewtonProblem              &problem,
+          const LA::BlockVector      &increment,
+          const double                reference,
+          const ConvergenceCriterion &criterion,
+          const unsigned int          max_halvings,
+          LA::BlockVector            &x)
   {
     const LA::BlockVector start(x);
     const auto            try_step = [&](const double length) {
@@ -44,6 +71,12 @@ namespace stickslip
       NewtonIteration state = problem.residual(x);
       state.step_length     = length;
       return state;
+    };
+    const auto is_good_enough = [&](const NewtonIteration &state) {
+      return state.merit <
+               (1. - sufficient_decrease * state.step_length) * reference ||
+             (state.step_length == 1. && criterion.is_near_roundoff(state) &&
+              state.merit < growth_of_roundoff * reference);
     };
 
     NewtonIteration best;
@@ -55,7 +88,7 @@ namespace stickslip
          ++halvings, length *= 0.5)
       {
         const NewtonIteration state = try_step(length);
-        if (!std::isfinite(residual_size(state)))
+        if (!std::isfinite(residual_size(state)) || !std::isfinite(state.merit))
           {
             if (reason.empty())
               reason = "the residual is not a number";
@@ -66,10 +99,9 @@ namespace stickslip
             place = problem.inadmissible_place();
             continue;
           }
-        if (!needs_decrease || before.prescribed > 0. ||
-            decreases_enough(before, state))
+        if (is_good_enough(state))
           return state;
-        if (!has_best || residual_size(state) < residual_size(best))
+        if (!has_best || state.merit < best.merit)
           best = state;
         has_best = true;
       }

@@ -95,7 +95,8 @@ namespace stickslip
                predictor,
                all_predictors(),
                expert("Where Newton starts in a step. linear: the "
-                      "displacements are extrapolated from the last step "
+                      "displacements are extrapolated from the last step, and "
+                      "rigid bodies are where their motion has them "
                       "(not after a cut or a requested time). none: "
                       "the accepted state."));
     prm.add_parameter(

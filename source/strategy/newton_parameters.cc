@@ -7,10 +7,9 @@ namespace stickslip
   const Choices<LineSearch> &
   all_line_searches()
   {
-    static const Choices<LineSearch> choices = {
-      {"automatic", LineSearch::automatic},
-      {"none", LineSearch::none},
-      {"backtracking", LineSearch::backtracking}};
+    static const Choices<LineSearch> choices = {{"automatic",
+                                                 LineSearch::automatic},
+                                                {"none", LineSearch::none}};
     return choices;
   }
 
@@ -54,15 +53,15 @@ namespace stickslip
       "Largest relative change of displacements and multipliers in the last "
       "iteration (the further terms of eq. 26).",
       Patterns::Double(0.));
-    add_choice(prm,
-               "Line search",
-               line_search,
-               all_line_searches(),
-               "none: full steps (halved only if a cell would invert). "
-               "backtracking: the step is halved while "
-               "the residual grows. automatic: full steps, and "
-               "backtracking once six iterations have not made the "
-               "residual smaller, as in a cycle of contact statuses.");
+    add_choice(
+      prm,
+      "Line search",
+      line_search,
+      all_line_searches(),
+      expert("automatic: the step is halved until the residual, with contact "
+             "rows as forces, is smaller than the largest of the last "
+             "iterations. none: full steps (halved only if a cell would "
+             "invert), for comparison."));
     prm.add_parameter("Max halvings",
                       max_halvings,
                       expert(

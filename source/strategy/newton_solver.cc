@@ -5,6 +5,7 @@
 #include <stickslip/strategy/line_search.h>
 #include <stickslip/strategy/residual_monitors.h>
 
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -12,12 +13,13 @@ namespace stickslip
 {
   namespace
   {
-    /// When an automatic line search begins. Full steps often make the residual
-    /// grow for some iterations while the statuses find their places; a cycle
-    /// of statuses never makes it smaller again.
-    constexpr StagnationWindow window_before_line_search{0.9, 6};
+    constexpr double infinity = std::numeric_limits<double>::infinity();
 
-    /// When repeated statuses are treated, for the same reason.
+
+
+    /// When repeated statuses are treated. Many are wrong for some iterations
+    /// until they find their places, and the residual grows; a cycle never
+    /// makes it smaller again.
     constexpr StagnationWindow window_before_treatment{0.9, 6};
 
 
@@ -27,26 +29,9 @@ namespace stickslip
     struct Progress
     {
       unsigned int      last_iteration;
-      StagnationMonitor before_line_search{window_before_line_search};
-      StagnationMonitor before_treatment{window_before_treatment};
-
-      void
-      add(const double residual)
-      {
-        before_line_search.add(residual);
-        before_treatment.add(residual);
-      }
+      MeritReference    reference{};
+      StagnationMonitor stagnation{window_before_treatment};
     };
-
-
-
-    bool
-    backtracks(const LineSearch line_search, const Progress &progress)
-    {
-      return line_search == LineSearch::backtracking ||
-             (line_search == LineSearch::automatic &&
-              progress.before_line_search.stagnates());
-    }
 
 
 
@@ -83,19 +68,19 @@ namespace stickslip
     problem.report(0, state);
 
     const ConvergenceCriterion criterion(parameters);
-    IncrementNorm              norm(x);
+    IncrementNorm              norm(problem, x);
     DivergenceMonitor          divergence(residual_size(state));
     Progress                   progress{parameters.max_iterations};
     CycleTreatment             treatment = CycleTreatment::none;
     LA::BlockVector            increment(x);
     for (unsigned int iteration = 0;; ++iteration)
       {
-        if (criterion.is_met(iteration, state))
+        if (criterion.is_met(iteration, before, state))
           {
             if (!problem.release_fixed_statuses())
               return iteration;
             state = with_new_residual(problem, x, state);
-            if (criterion.is_met(iteration, state))
+            if (criterion.is_met(iteration, before, state))
               return iteration;
             progress = Progress{iteration + parameters.max_iterations};
           }
@@ -112,18 +97,21 @@ namespace stickslip
           x,
           forcing_term(parameters.forcing, criterion, before, state),
           increment);
+        progress.reference.add(state);
         before          = state;
         state           = advance(problem,
                         increment,
-                        before,
-                        backtracks(parameters.line_search, progress),
+                        parameters.line_search == LineSearch::none
+                                    ? infinity
+                                    : progress.reference.value(),
+                        criterion,
                         parameters.max_halvings,
                         x);
         state.increment = norm.relative_increment(x, increment);
-        progress.add(residual_size(state));
+        progress.stagnation.add(residual_size(state));
         divergence.add(residual_size(state));
 
-        treatment = problem.treat_cycle(progress.before_treatment.stagnates());
+        treatment = problem.treat_cycle(progress.stagnation.stagnates());
         problem.accept_iterate(x);
         problem.report(iteration + 1, state);
         if (divergence.diverges())

@@ -57,6 +57,7 @@ namespace
     {
       NewtonIteration state;
       state.equilibrium = std::abs(f(value_of(x)));
+      state.merit       = state.equilibrium;
       return state;
     }
 
@@ -220,14 +221,7 @@ namespace
         print("    a cycle",
               equation.iterates[period] == start &&
                 equation.iterates[1] != start);
-        solve(name + ", automatic",
-              equation,
-              start,
-              parameters_with(LineSearch::automatic));
-        solve(name + ", always",
-              equation,
-              start,
-              parameters_with(LineSearch::backtracking));
+        solve(name + ", line search", equation, start);
       }
   }
 
@@ -245,6 +239,7 @@ namespace
       NewtonIteration state;
       state.equilibrium = std::abs(u + p - 3.);
       state.contact     = std::abs(std::min(p, 1. - u));
+      state.merit       = std::hypot(state.equilibrium, state.contact);
       return state;
     }
 
@@ -294,7 +289,7 @@ namespace
           parameters_with(LineSearch::none));
     std::cout << "    after " << soft.iterates.size() - 1 << " iterations\n";
     // 1/64 of a step is the first that reduces x, to 0.5625 of what it was
-    NewtonParameters halving    = parameters_with(LineSearch::backtracking);
+    NewtonParameters halving;
     halving.max_iterations      = 40;
     halving.max_halvings        = 6;
     halving.increment_tolerance = 1e10;
@@ -314,13 +309,79 @@ namespace
         return x > 0.9 ? 3. : x > 0.4 ? 1.5 : x > 0.2 ? 2. : 1.;
       },
       [](const double) { return 1.; });
-    LA::BlockVector       x      = vector_of(0.);
-    const NewtonIteration before = planted.residual(x);
-    const NewtonIteration state =
-      advance(planted, vector_of(1.), before, true, 2, x);
-    std::cout << "  no fraction of a step decreases: x = " << value_of(x)
-              << ", residual " << state.equilibrium << ", length "
-              << state.step_length << '\n';
+    const ConvergenceCriterion criterion{NewtonParameters()};
+    for (const double reference : {1., 2.2})
+      {
+        LA::BlockVector       x = vector_of(0.);
+        const NewtonIteration state =
+          advance(planted, vector_of(1.), reference, criterion, 2, x);
+        std::cout << "  no fraction of a step decreases, reference "
+                  << reference << ": x = " << value_of(x) << ", residual "
+                  << state.equilibrium << ", length " << state.step_length
+                  << '\n';
+      }
+  }
+
+
+
+  /// Two equations in two units: x = 0, in units that make its relative
+  /// residual large, and y = 0 with a tangent that is a tenth of the right one.
+  /// The relative residual sees x only, which a full step solves; y is
+  /// multiplied by -9.
+  class TwoUnits : public NewtonProblem
+  {
+  public:
+    NewtonIteration
+    residual(const LA::BlockVector &x) override
+    {
+      const double    a = x.block(0)(0), b = x.block(1)(0);
+      NewtonIteration state;
+      state.equilibrium = std::abs(b) * 1e-3;
+      state.contact     = std::abs(a) * 1e3;
+      state.merit       = std::hypot(a, b);
+      return state;
+    }
+
+    void
+    solve_increment(const LA::BlockVector &x,
+                    const double,
+                    LA::BlockVector &increment) override
+    {
+      increment.block(0) = -x.block(0)(0);
+      increment.block(1) = -10. * x.block(1)(0);
+    }
+  };
+
+
+
+  void
+  test_merit()
+  {
+    std::cout << "What a line search compares\n";
+    const IndexSet  entry = complete_index_set(1);
+    LA::BlockVector x({entry, entry}, MPI_COMM_SELF), increment(x);
+    x = 1.;
+    TwoUnits problem;
+    problem.solve_increment(x, 0., increment);
+    const ConvergenceCriterion criterion{NewtonParameters()};
+    const NewtonIteration      start = problem.residual(x);
+    const NewtonIteration      state =
+      advance(problem, increment, start.merit, criterion, 5, x);
+    std::cout << "  not the relative residuals: length " << state.step_length
+              << '\n';
+
+    MeritReference reference;
+    std::cout << "  reference";
+    for (const double merit : {5., 4., 6., 1., 2., 0.5})
+      {
+        NewtonIteration iterate;
+        iterate.merit      = merit;
+        iterate.prescribed = merit == 5. ? 0.1 : 0.;
+        reference.add(iterate);
+        std::cout << ' ' << reference.value();
+      }
+    reference.restart();
+    std::cout << "; restarted " << reference.value() << '\n';
   }
 
 
@@ -410,7 +471,7 @@ namespace
   {
     std::cout << "Prescribed displacements\n";
     Prescribed       problem;
-    NewtonParameters parameters    = parameters_with(LineSearch::backtracking);
+    NewtonParameters parameters;
     parameters.increment_tolerance = 1e10;
     parameters.forcing             = Forcing::eisenstat_walker;
     solve("no residual, but not applied", problem, 0., parameters);
@@ -442,6 +503,19 @@ namespace
 
 
 
+  /// Multipliers of 1e-12 are roundoff.
+  class Roundoff : public SpringAndWall
+  {
+  public:
+    double
+    negligible_unknown(const unsigned int b) const override
+    {
+      return b == 0 ? 0. : 1e-12;
+    }
+  };
+
+
+
   void
   test_roundoff()
   {
@@ -455,7 +529,8 @@ namespace
     LA::BlockVector x({entry, entry}, MPI_COMM_SELF), increment(x);
     x.block(0) = 1.;
     x.block(1) = 100.;
-    IncrementNorm norm(x);
+    Roundoff      problem;
+    IncrementNorm norm(problem, x);
     increment.block(0) = 0.1;
     increment.block(1) = 20.;
     std::cout << "  0.1 of 1 and 20 of 100: "
@@ -466,6 +541,10 @@ namespace
     increment.block(1) = 1e-18;
     std::cout << "  1e-18 of 1e-18 that was 100: "
               << norm.relative_increment(x, increment) << '\n';
+    // as multipliers where there was no contact before
+    IncrementNorm without_contact(problem, x);
+    std::cout << "  1e-18 of 1e-18 where 1e-12 is negligible: "
+              << without_contact.relative_increment(x, increment) << '\n';
   }
 
 
@@ -669,6 +748,7 @@ main(int argc, char *argv[])
   test_kink();
   test_failures();
   test_no_fraction_decreases();
+  test_merit();
   test_inadmissible_states();
   test_prescribed();
   test_roundoff();

@@ -15,6 +15,7 @@
 #include <stickslip/problem/dof_layout.h>
 #include <stickslip/problem/problem_constraints.h>
 #include <stickslip/problem/problem_sparsity.h>
+#include <stickslip/problem/residual_norms.h>
 #include <stickslip/problem/system_description.h>
 
 #include <stickslip/solid/boundary_conditions.h>
@@ -32,18 +33,6 @@
 
 namespace stickslip
 {
-  /// How far a state is from solving the discrete equations.
-  struct ResidualNorms
-  {
-    /// ||F_int + F_contact - F_ext|| over ||F_ext|| or the reactions,
-    /// whichever is larger (paper, eq. 25).
-    double equilibrium = 0.;
-    /// Largest gap over face size, or |Lambda| mismatch, of any contact row.
-    double contact = 0.;
-    /// Largest prescribed displacement that is not yet applied.
-    double prescribed = 0.;
-  };
-
   /**
    * The discrete problem of one load step: residual and tangent of solid and
    * contact for x = [displacements, multipliers], with the contact quantities
@@ -93,11 +82,24 @@ namespace stickslip
     ResidualNorms
     residual(const LA::BlockVector &x);
 
+    /// Size up to which displacements (@p b = 0) or multipliers (1) are nothing
+    /// but roundoff.
+    double
+    negligible_unknown(const unsigned int b) const;
+
     /// Largest prescribed displacement that @p x lacks, over ranks.
     double
     unapplied_displacement(const LA::BlockVector &x) const
     {
       return constraints->unapplied_displacement_of(time, x.block(0));
+    }
+
+    /// Moves the rigid bodies to where their motion has them at the time of the
+    /// step, in @p displacement (not ghosted).
+    void
+    place_rigid_bodies(LA::Vector &displacement) const
+    {
+      constraints->place_rigid_bodies(time, displacement);
     }
 
     /// Internal plus contact forces of the last residual: at equilibrium the
@@ -268,7 +270,8 @@ namespace stickslip
     LA::Vector      u, u_old, lambda; ///< ghosted
     LA::Vector      forces;           ///< internal plus contact
     LA::Vector      forces_of_contact;
-    LA::Vector      unbalanced; ///< forces minus loads
+    LA::Vector      unbalanced;          ///< forces minus loads
+    double          extent         = 0.; ///< of the model
     double          force_floor    = 0.;
     double          softest_spring = 0.; ///< whose effect is above roundoff
 

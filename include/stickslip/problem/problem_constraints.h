@@ -66,6 +66,11 @@ namespace stickslip
     unapplied_displacement_of(const double      time,
                               const LA::Vector &displacement) const;
 
+    /// Moves the rigid bodies to where they are prescribed to be at @p time, in
+    /// @p displacement (not ghosted). Collective.
+    void
+    place_rigid_bodies(const double time, LA::Vector &displacement) const;
+
     /// As of the last update().
     double
     unapplied_displacement() const
@@ -78,7 +83,8 @@ namespace stickslip
     const BoundaryConditions<dim> &boundary_conditions;
     const ContactAssembler<dim>   &contact;
     std::vector<bool>              master_is_rigid; ///< by pair
-    const MPI_Comm                 communicator;
+    IndexSet       rigid_dofs; ///< of rigid bodies, owned by this rank
+    const MPI_Comm communicator;
 
     Constraints geometric_lines;
     Constraints increment_lines;

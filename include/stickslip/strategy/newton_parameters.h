@@ -5,12 +5,11 @@
 
 namespace stickslip
 {
-  /// When steps are halved while the residual grows.
+  /// Whether steps are halved while the residual grows.
   enum class LineSearch
   {
-    automatic, ///< once the residual has stagnated
-    none,
-    backtracking ///< always
+    automatic,
+    none
   };
 
   const Choices<LineSearch> &

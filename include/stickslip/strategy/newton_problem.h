@@ -15,6 +15,9 @@ namespace stickslip
     double equilibrium = 0.; ///< relative residual
     double contact     = 0.; ///< largest contact row
     double prescribed = 0.; ///< largest prescribed displacement not applied yet
+    /// Size of the whole residual, all rows in one unit and over nothing that
+    /// changes during a solve: what the line search compares.
+    double merit     = 0.;
     double increment = 0.; ///< relative increment of displacements, multipliers
     double step_length = 1.;
   };
@@ -44,7 +47,7 @@ namespace stickslip
     limit(LA::BlockVector & /*x*/) const
     {}
 
-    /// The first three entries; with live quantities recomputed.
+    /// The first four entries; with live quantities recomputed.
     virtual NewtonIteration
     residual(const LA::BlockVector &x) = 0;
 
@@ -69,6 +72,13 @@ namespace stickslip
     inadmissible_place() const
     {
       return {};
+    }
+
+    /// Size up to which the unknowns of block @p b are nothing but roundoff.
+    virtual double
+    negligible_unknown(const unsigned int /*b*/) const
+    {
+      return 0.;
     }
 
     /// Called after the residual of the start and of each iterate.

@@ -11,11 +11,11 @@
 namespace stickslip
 {
   /**
-   * Newton's method with an optional line search and with room for the
-   * treatment of cycles. It knows no mechanics. Each decision has a place of
-   * its own: ConvergenceCriterion, forcing_term(), advance() (the length of a
-   * step), StagnationMonitor (when a line search and the treatment of cycles
-   * begin), DivergenceMonitor.
+   * Newton's method with a line search and with room for the treatment of
+   * cycles. It knows no mechanics. Each decision has a place of its own:
+   * ConvergenceCriterion, forcing_term(), advance() and MeritReference (the
+   * length of a step), StagnationMonitor (when the treatment of cycles begins),
+   * DivergenceMonitor.
    */
   class NewtonSolver
   {

@@ -208,7 +208,8 @@ namespace stickslip
   void
   ContactAssembler<dim>::add_residual(const Constraints &geometric,
                                       LA::BlockVector   &residual,
-                                      LA::Vector        &row_scale)
+                                      LA::Vector        &row_scale,
+                                      LA::Vector        &row_force)
   {
     Vector<double> local;
     for (const auto &pair : pairs)
@@ -230,11 +231,20 @@ namespace stickslip
             state.status.closed && state.response.threshold > 0.
                     ? state.response.threshold / point.regularization.r_t_law
                     : point.scales.open_row;
+          const double normal_stress =
+            point.scales.stiffness * slave.face.diameter;
+          const double friction_stress =
+            friction_scale * point.regularization.r_t_law;
           for (unsigned int l = 0; l < L.size(); ++l)
             for (unsigned int c = 0; c < n_comp; ++c)
-              row_scale(slave.multiplier_dofs[l * n_comp + c]) +=
-                point.geometry.weight * std::abs(L[l]) *
-                (c == 0 ? slave.face.diameter : friction_scale);
+              {
+                const auto   dof  = slave.multiplier_dofs[l * n_comp + c];
+                const double area = point.geometry.weight * std::abs(L[l]);
+                row_scale(dof) +=
+                  area * (c == 0 ? slave.face.diameter : friction_scale);
+                row_force(dof) +=
+                  area * (c == 0 ? normal_stress : friction_stress);
+              }
         }
   }
 

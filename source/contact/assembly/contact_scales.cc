@@ -183,10 +183,31 @@ namespace stickslip
       }
   }
 
+  template <int dim>
+  double
+  negligible_pressure(const ContactAssembler<dim> &contact)
+  {
+    double largest = 0.;
+    for_each_point(
+      contact,
+      [&](const ContactPair<dim> &pair, const ContactPoint<dim> &point) {
+        const double height =
+          pair.slave_faces[point.geometry.slave_face].face.diameter;
+        largest =
+          std::max(largest,
+                   roundoff_strain * contact_stiffness(pair, point) * height);
+      });
+    return Utilities::MPI::max(largest, contact.get_communicator());
+  }
+
   template double
   contact_stiffness(const ContactPair<2> &, const ContactPoint<2> &);
   template double
   contact_stiffness(const ContactPair<3> &, const ContactPoint<3> &);
+  template double
+  negligible_pressure(const ContactAssembler<2> &);
+  template double
+  negligible_pressure(const ContactAssembler<3> &);
   template void
   update_contact_scales(ContactAssembler<2> &);
   template void

@@ -62,13 +62,17 @@ namespace stickslip
     void
     accept_iterate();
 
-    /// Adds, condensed with @p geometric, the contact forces to block 0 and the contact rows to block 1 of
-    /// @p residual; @p row_scale collects the size that a contact row has for
-    /// a gap of one face diameter, or |Lambda| off by one.
+    /// Adds, condensed with @p geometric, the contact forces to block 0 and the
+    /// contact rows to block 1 of @p residual. @p row_scale collects the size
+    /// that a contact row has for a gap of one face diameter, or |Lambda| off
+    /// by
+    /// one; @p row_force what this gap, closed by the stiffness of the contact,
+    /// and this Lambda are as forces.
     void
     add_residual(const Constraints &geometric,
                  LA::BlockVector   &residual,
-                 LA::Vector        &row_scale);
+                 LA::Vector        &row_scale,
+                 LA::Vector        &row_force);
 
     /// Adds the derivative of the residual and subtracts the residual from
     /// @p rhs. With @p linearize_geometry = false the geometric terms are left

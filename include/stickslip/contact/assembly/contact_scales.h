@@ -29,6 +29,14 @@ namespace stickslip
   template <int dim>
   void
   update_contact_scales(ContactAssembler<dim> &contact);
+
+
+
+  /// Largest pressure that is nothing but the roundoff of a gap, of all points.
+  /// Collective.
+  template <int dim>
+  double
+  negligible_pressure(const ContactAssembler<dim> &contact);
 } // namespace stickslip
 
 #endif

@@ -1,0 +1,82 @@
+// The norms of planted residuals: which unit each has, and what it must not
+// depend on.
+
+#include "print.h"
+
+#include <stickslip/problem/residual_norms.h>
+
+#include <sstream>
+#include <string>
+
+using namespace stickslip;
+
+namespace
+{
+  /// Three displacements, of which the last is prescribed, and two multipliers.
+  struct Planted
+  {
+    Planted()
+    {
+      for (LA::Vector *v : {&unbalanced, &loads})
+        v->reinit(complete_index_set(3), MPI_COMM_SELF);
+      for (LA::Vector *v : {&rows, &scale, &force})
+        v->reinit(complete_index_set(2), MPI_COMM_SELF);
+      increment.add_line(2);
+      increment.close();
+      unbalanced(0) = 3.;
+      unbalanced(2) = 20.; // a reaction
+      loads(1)      = 10.;
+      // a gap of 0.02 face diameters and a Lambda that is off by 0.5
+      rows(0)  = 0.02 * 7.;
+      scale(0) = 7.;
+      force(0) = 100.;
+      rows(1)  = 0.5 * 1e-6;
+      scale(1) = 1e-6;
+      force(1) = 4.;
+    }
+
+    void
+    show(const std::string &title) const
+    {
+      const ResidualNorms norms = residual_norms(
+        {unbalanced, loads, rows, scale, force}, increment, 1., MPI_COMM_SELF);
+      std::ostringstream text;
+      text << title << ": equilibrium " << norms.equilibrium << ", contact "
+           << norms.contact << ", merit^2 " << norms.merit * norms.merit;
+      print(text.str());
+    }
+
+    LA::Vector  unbalanced, loads, rows, scale, force;
+    Constraints increment;
+  };
+} // namespace
+
+
+
+int
+main(int argc, char *argv[])
+{
+  const Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+
+  Planted().show("planted (3/20, 0.5, 3^2 + 2^2 + 2^2)");
+
+  Planted reaction;
+  reaction.unbalanced(2) = 200.;
+  reaction.show("a larger reaction: the merit is the same");
+
+  Planted scaled;
+  scaled.rows(0) *= 1e3;
+  scaled.scale(0) *= 1e3;
+  scaled.show("a contact row in another unit: the same");
+
+  Planted long_Lambda;
+  long_Lambda.rows(1) = 300. * 1e-6;
+  long_Lambda.show("Lambda of 300: no more force than of 1");
+
+  Planted excluded;
+  excluded.increment.reinit();
+  excluded.increment.add_line(2);
+  excluded.increment.add_line(3);
+  excluded.increment.close();
+  excluded.show("the first row constrained");
+}
