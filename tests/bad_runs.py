@@ -42,7 +42,7 @@ CASES = {
     "no Newton iterations": ("plate.prm", algorithm("Newton", "Max iterations = 0"), WRONG_INPUT, ["Algorithm/Newton/Max iterations", ">= 1"]),
     "a tolerance of zero": (
         "plate.prm", algorithm("Newton", "Equilibrium tolerance = 0") + ONE_STEP, NO_CONVERGENCE, ["no convergence in 30 iterations", "tolerance 0"]),
-    "an unknown line search": ("plate.prm", algorithm("Newton", "Line search = golden"), WRONG_INPUT, ["Algorithm/Newton/Line search", "golden", "backtracking"]),
+    "an unknown line search": ("plate.prm", algorithm("Newton", "Line search = golden"), WRONG_INPUT, ["Algorithm/Newton/Line search", "golden", "automatic | none"]),
     "a treatment that the algorithm has not": (
         "plate.prm", algorithm("Geometry", "Treatment = fixed point"), WRONG_INPUT, ["Algorithm/Geometry/Treatment", "fixed point", "automatic", "Name = custom"]),
     "an unknown treatment": ("plate.prm", algorithm("Geometry", "Treatment = frozen"), WRONG_INPUT, ["Algorithm/Geometry/Treatment", "frozen", "fixed point"]),

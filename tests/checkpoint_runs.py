@@ -181,10 +181,10 @@ def differences_of_checkpoints(a, b):
     for record in a.values():
         for i, value in enumerate(record):
             scale[len(record), i] = max(scale.get((len(record), i), 0.), abs(value))
-    # Each record begins with displacement, force and rate of four nodes in two directions.
-    for kind in range(3):
-        largest = max(value for (_, i), value in scale.items() if i < 24 and i % 3 == kind)
-        scale.update({key: largest for key in scale if key[1] < 24 and key[1] % 3 == kind})
+    # Each record begins with displacement, forces, contact forces and rate of four nodes in two directions.
+    for kind in range(4):
+        largest = max(value for (_, i), value in scale.items() if i < 32 and i % 4 == kind)
+        scale.update({key: largest for key in scale if key[1] < 32 and key[1] % 4 == kind})
     return [f"number {i} of cell {cell}: {p!r}, {q!r}" for cell in a for i, (p, q) in enumerate(zip(a[cell], b[cell]))
             if not abs(p - q) <= TOLERANCE * scale[len(a[cell]), i]]
 

@@ -183,8 +183,8 @@ def test_refused(runs):
         refused(damage, "half-2", ["damaged", file, f"half-2/{other}"])
     description = runs.directory / f"half-2/{latest}/description"
     text = description.read_text()
-    description.write_text(text.replace("stickslip checkpoint 3", "stickslip checkpoint 2", 1))
-    refused("an older format", "half-2", ["another version", "format is 2", "reads format 3"])
+    description.write_text(text.replace("stickslip checkpoint 4", "stickslip checkpoint 3", 1))
+    refused("an older format", "half-2", ["another version", "format is 3", "reads format 4"])
     description.write_text(text)
     (runs.directory / file).write_bytes(data)
     (runs.directory / file).unlink()

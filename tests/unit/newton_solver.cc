@@ -667,10 +667,11 @@ namespace
     const auto f       = [](const double x) { return std::atan(x); };
     const auto tangent = [](const double x) { return 1. / (1. + x * x); };
     std::cout << "Limited trial states\n";
-    Equation plain(f, tangent);
-    solve("atan x from 2", plain, 2.);
+    const auto full_steps = parameters_with(LineSearch::none);
+    Equation   plain(f, tangent);
+    solve("atan x from 2", plain, 2., full_steps);
     Limited limited(f, tangent);
-    solve("the same, |x| <= 1", limited, 2.);
+    solve("the same, |x| <= 1", limited, 2., full_steps);
     std::cout << "  first iterates " << limited.iterates[0] << ' '
               << limited.iterates[1] << '\n';
   }

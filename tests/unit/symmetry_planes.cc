@@ -57,7 +57,7 @@ int
 main(int argc, char *argv[])
 {
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const std::vector<Point<2>> right{Point<2>(1., 0.2)},
+  const std::vector<Point<2>>      right{Point<2>(1., 0.2)},
     both{Point<2>(1., 0.2), Point<2>(-1., 0.2)};
   print_projection<2>("2D, free", right, hold(2, {}));
   print_projection<2>("2D, at the border, u_x = 0", right, hold(2, {0}));
