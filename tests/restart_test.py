@@ -20,7 +20,7 @@ FALLBACK_OPTIONS = [NODAL, "Load stepping/Minimum step=0.01", "Load stepping/Req
 # Six iterations are enough for short steps, five count as easy.
 CUT_OPTIONS = [NODAL, "Load stepping/Minimum step=0.01", "Load stepping/Requested times=3", "Algorithm/Newton/Max iterations=6",
                "Load stepping/Easy iterations=5", "Algorithm/Name=GNM",
-               "Boundary conditions/drag/Value=0.6*max(t-1, 0) - 1.2*max(t-4, 0); -0.02*min(t, 1)"]
+               "Boundary conditions/drag/Value=0.9*max(t-1, 0) - 1.8*max(t-4, 0); -0.02*min(t, 1)"]
 
 
 def test_partitions(runs):
@@ -87,8 +87,8 @@ def test_fallback(runs):
 
 
 def test_cuts_and_growth(runs):
-    """The same sizes of steps. At 2 growth waits after cuts, at 2.25 a step has grown, after 3 one is cut."""
-    whole = compare_decisions(runs, "cuts", CUT_OPTIONS, [2, 2.25, 3])
+    """The same sizes of steps. At 2 growth waits after cuts, at 2.625 a step has grown, after 3 one is cut."""
+    whole = compare_decisions(runs, "cuts", CUT_OPTIONS, [2, 2.625, 3])
     times = [0.] + [float(row[0]) for row in whole]
     sizes = [after - before for before, after in zip(times, times[1:])]
     n = times.index(3.)
