@@ -171,18 +171,8 @@ namespace stickslip
                       "points, with every digit, in addition to the fields of "
                       "each written step.");
 
-    const auto add_list = [&prm](const std::string &section, auto &list) {
-      prm.enter_subsection(section);
-      for (auto &[name, member] : list)
-        {
-          prm.enter_subsection(name);
-          member.add_parameters(prm);
-          prm.leave_subsection();
-        }
-      prm.leave_subsection();
-    };
-    add_list("Points", points);
-    add_list("Contact lines", lines);
+    add_named_list(prm, "Points", points);
+    add_named_list(prm, "Contact lines", lines);
   }
 
 

@@ -3,6 +3,7 @@
 #include <stickslip/base/user_error.h>
 
 #include <stickslip/contact/surface/face_shape.h>
+#include <stickslip/contact/surface/surface_face.h>
 
 #include <stickslip/output/contact_output.h>
 
@@ -38,17 +39,18 @@ namespace stickslip
     template <int dim>
     Place<dim>
     nearest_place(const FaceShape<dim>          &shape,
-                  const std::vector<Point<dim>> &nodes,
-                  const Point<dim>              &position)
+                  const std::vector<Point<dim>> &reference_positions,
+                  const Tensor<1, dim>          &position)
     {
-      Point<dim> centre;
-      for (const Point<dim> &node : nodes)
-        centre += (1. / nodes.size()) * Tensor<1, dim>(node);
+      const std::vector<Tensor<1, dim>> nodes(reference_positions.begin(),
+                                              reference_positions.end());
+      const Tensor<1, dim>              centre =
+        interpolate<dim>(shape.at_centre().value, nodes);
       double radius = 0.;
-      for (const Point<dim> &node : nodes)
-        radius = std::max(radius, node.distance(centre));
+      for (const Tensor<1, dim> &node : nodes)
+        radius = std::max(radius, (node - centre).norm());
       Place<dim> place;
-      if (position.distance(centre) > 1.5 * radius)
+      if ((position - centre).norm() > 1.5 * radius)
         return place;
 
       FaceShapeValues<dim> values;
@@ -58,14 +60,8 @@ namespace stickslip
       for (unsigned int iteration = 0; iteration < 20; ++iteration)
         {
           shape.evaluate(place.xi, values);
-          rest = position - Point<dim>();
-          Tensor<1, dim> tangents[dim - 1];
-          for (unsigned int j = 0; j < nodes.size(); ++j)
-            {
-              rest -= values.value[j] * nodes[j];
-              for (unsigned int a = 0; a < dim - 1; ++a)
-                tangents[a] += values.gradient[j][a] * nodes[j];
-            }
+          rest = position - interpolate<dim>(values.value, nodes);
+          const auto tangents = surface_tangents<dim>(values.gradient, nodes);
           Tensor<2, dim - 1> metric;
           Tensor<1, dim - 1> right_hand_side;
           for (unsigned int a = 0; a < dim - 1; ++a)

@@ -15,24 +15,6 @@ namespace stickslip
   {
     template <typename T>
     void
-    add_named_list(ParameterHandler  &prm,
-                   const std::string &section,
-                   NamedList<T>      &list)
-    {
-      prm.enter_subsection(section);
-      for (auto &[name, member] : list)
-        {
-          prm.enter_subsection(name);
-          member.add_parameters(prm);
-          prm.leave_subsection();
-        }
-      prm.leave_subsection();
-    }
-
-
-
-    template <typename T>
-    void
     check_named_list(const std::string &section, const NamedList<T> &list)
     {
       for (const auto &[name, member] : list)

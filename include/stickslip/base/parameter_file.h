@@ -22,6 +22,25 @@ namespace stickslip
   template <typename T>
   using NamedList = std::vector<std::pair<std::string, T>>;
 
+  /// Declares a section with a subsection for each member of @p list, in which
+  /// the member declares its parameters.
+  template <typename T>
+  void
+  add_named_list(dealii::ParameterHandler &prm,
+                 const std::string        &section,
+                 NamedList<T>             &list)
+  {
+    prm.enter_subsection(section);
+    for (auto &[name, member] : list)
+      {
+        prm.enter_subsection(name);
+        member.add_parameters(prm);
+        prm.leave_subsection();
+      }
+    prm.leave_subsection();
+  }
+
+
   /**
    * The content of a parameter file in deal.II's syntax (`set a = b`,
    * `subsection`, `end`, `include`, `#` comments, lines continued by a

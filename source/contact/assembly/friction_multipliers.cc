@@ -1,5 +1,6 @@
 #include <stickslip/contact/assembly/friction_multipliers.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stickslip
@@ -9,6 +10,15 @@ namespace stickslip
     /// The longest Lambda: outside of the disc, so that the point goes on to
     /// slip.
     constexpr double longest_multiplier = 5.;
+
+
+
+    bool
+    can_be_shortened(const ContactPairParameters &parameters)
+    {
+      return parameters.has_friction() &&
+             has_one_multiplier_per_point(parameters.quadrature);
+    }
   } // namespace
 
 
@@ -18,11 +28,14 @@ namespace stickslip
   shorten_friction_multipliers(const ContactAssembler<dim> &contact,
                                LA::Vector                  &multipliers)
   {
+    const auto &pairs = contact.contact_pairs();
+    if (std::none_of(pairs.begin(), pairs.end(), [](const auto &pair) {
+          return can_be_shortened(pair->parameters);
+        }))
+      return; // and nobody waits
     for (const MultiplierNode &node : contact.multipliers().owned_nodes())
       {
-        const auto &parameters = contact.contact_pairs()[node.pair]->parameters;
-        if (!parameters.has_friction() ||
-            !has_one_multiplier_per_point(parameters.quadrature))
+        if (!can_be_shortened(pairs[node.pair]->parameters))
           continue;
         double square = 0.;
         for (unsigned int c = 1; c < dim; ++c)

@@ -26,7 +26,7 @@ namespace stickslip
     /// Supplement to the workspace that MUMPS estimates, in per cent.
     static constexpr int usual_supplement = 20;
 
-    /// @p supplement: the first one tried .
+    /// @p supplement: the first one tried [per cent].
     explicit DistributedFactorization(const int supplement = usual_supplement);
 
     ~DistributedFactorization();
