@@ -56,6 +56,25 @@ namespace stickslip
 
 
   NewtonIteration
+  state_at(NewtonProblem &problem, const double length, LA::BlockVector &x)
+  {
+    problem.limit(x);
+    NewtonIteration state = problem.residual(x);
+    state.step_length     = length;
+    return state;
+  }
+
+
+
+  bool
+  is_finite(const NewtonIteration &state)
+  {
+    return std::isfinite(residual_size(state)) && std::isfinite(state.merit);
+  }
+
+
+
+  LineSearchResult
   advance(NewtonProblem              &problem,
           const LA::BlockVector      &increment,
           const double                reference,
@@ -67,10 +86,7 @@ namespace stickslip
     const auto            try_step = [&](const double length) {
       x = start;
       x.add(length, increment);
-      problem.limit(x);
-      NewtonIteration state = problem.residual(x);
-      state.step_length     = length;
-      return state;
+      return state_at(problem, length, x);
     };
     const auto is_good_enough = [&](const NewtonIteration &state) {
       return state.merit <
@@ -80,7 +96,7 @@ namespace stickslip
     };
 
     NewtonIteration best;
-    bool            has_best = false;
+    bool            has_best = false, full_step_is_admissible = false;
     std::string     reason;
     FailurePlace    place;
     double          length = 1.;
@@ -88,7 +104,7 @@ namespace stickslip
          ++halvings, length *= 0.5)
       {
         const NewtonIteration state = try_step(length);
-        if (!std::isfinite(residual_size(state)) || !std::isfinite(state.merit))
+        if (!is_finite(state))
           {
             if (reason.empty())
               reason = "the residual is not a number";
@@ -99,14 +115,16 @@ namespace stickslip
             place = problem.inadmissible_place();
             continue;
           }
+        if (length == 1.)
+          full_step_is_admissible = true;
         if (is_good_enough(state))
-          return state;
+          return {state, true, full_step_is_admissible};
         if (!has_best || state.merit < best.merit)
           best = state;
         has_best = true;
       }
     if (!has_best)
       throw NoConvergence("Newton", reason, FailureCause::inadmissible, place);
-    return try_step(best.step_length);
+    return {try_step(best.step_length), false, full_step_is_admissible};
   }
 } // namespace stickslip

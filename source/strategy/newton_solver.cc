@@ -2,10 +2,9 @@
 
 #include <stickslip/strategy/convergence_criterion.h>
 #include <stickslip/strategy/forcing_term.h>
-#include <stickslip/strategy/line_search.h>
+#include <stickslip/strategy/globalization.h>
 #include <stickslip/strategy/residual_monitors.h>
 
-#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -13,10 +12,6 @@ namespace stickslip
 {
   namespace
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-
-
-
     /// When repeated statuses are treated. Many are wrong for some iterations
     /// until they find their places, and the residual grows; a cycle never
     /// makes it smaller again.
@@ -29,7 +24,6 @@ namespace stickslip
     struct Progress
     {
       unsigned int      last_iteration;
-      MeritReference    reference{};
       StagnationMonitor stagnation{window_before_treatment};
     };
 
@@ -70,6 +64,7 @@ namespace stickslip
     const ConvergenceCriterion criterion(parameters);
     IncrementNorm              norm(problem, x);
     DivergenceMonitor          divergence(residual_size(state));
+    Globalization              globalization(parameters, problem);
     Progress                   progress{parameters.max_iterations};
     CycleTreatment             treatment = CycleTreatment::none;
     LA::BlockVector            increment(x);
@@ -83,6 +78,7 @@ namespace stickslip
             if (criterion.is_met(iteration, before, state))
               return iteration;
             progress = Progress{iteration + parameters.max_iterations};
+            globalization.restart();
           }
         if (iteration >= progress.last_iteration)
           give_up(state,
@@ -97,16 +93,8 @@ namespace stickslip
           x,
           forcing_term(parameters.forcing, criterion, before, state),
           increment);
-        progress.reference.add(state);
         before          = state;
-        state           = advance(problem,
-                        increment,
-                        parameters.line_search == LineSearch::none
-                                    ? infinity
-                                    : progress.reference.value(),
-                        criterion,
-                        parameters.max_halvings,
-                        x);
+        state           = globalization.advance(before, increment, x);
         state.increment = norm.relative_increment(x, increment);
         progress.stagnation.add(residual_size(state));
         divergence.add(residual_size(state));
@@ -120,6 +108,7 @@ namespace stickslip
           {
             state    = with_new_residual(problem, x, state);
             progress = Progress{iteration + 1 + parameters.max_iterations};
+            globalization.restart();
           }
       }
   }

@@ -314,7 +314,7 @@ namespace
       {
         LA::BlockVector       x = vector_of(0.);
         const NewtonIteration state =
-          advance(planted, vector_of(1.), reference, criterion, 2, x);
+          advance(planted, vector_of(1.), reference, criterion, 2, x).state;
         std::cout << "  no fraction of a step decreases, reference "
                   << reference << ": x = " << value_of(x) << ", residual "
                   << state.equilibrium << ", length " << state.step_length
@@ -354,6 +354,78 @@ namespace
 
 
 
+  /// v = u^2, u = 1, where the first equation counts @p stiffness times as much.
+  class CurvedValley : public NewtonProblem
+  {
+  public:
+    CurvedValley(const double stiffness, const double bend)
+      : stiffness(stiffness)
+      , bend(bend)
+    {}
+
+    NewtonIteration
+    residual(const LA::BlockVector &x) override
+    {
+      const double    u = x.block(0)(0), v = x.block(1)(0);
+      NewtonIteration state;
+      state.equilibrium = stiffness * std::abs(v - u * u);
+      state.contact     = std::abs(u - 1.);
+      state.merit       = std::hypot(state.equilibrium, state.contact);
+      return state;
+    }
+
+    /// With @p bend = 1 Newton's; with others v is wrong.
+    void
+    solve_increment(const LA::BlockVector &x,
+                    const double,
+                    LA::BlockVector &increment) override
+    {
+      const double u = x.block(0)(0), v = x.block(1)(0), du = 1. - u;
+      increment.block(0) = du;
+      increment.block(1) = bend * (u * u - v) + 2. * u * du;
+    }
+
+    void
+    report(const unsigned int, const NewtonIteration &state) override
+    {
+      std::cout << ' ' << state.merit << " (" << state.step_length << ')';
+    }
+
+  private:
+    const double stiffness, bend;
+  };
+
+
+
+  void
+  test_look_ahead()
+  {
+    std::cout << "Along a curved valley: merit and length of each step\n";
+    const IndexSet   entry = complete_index_set(1);
+    NewtonParameters parameters;
+    parameters.max_iterations = 7;
+    // the second step solves it; the steps after it reduce the residual enough;
+    // too slowly; not at all, so that it goes back to 1/32
+    for (const double bend : {1., 0.95, 0.3, -1.})
+      {
+        LA::BlockVector x({entry, entry}, MPI_COMM_SELF);
+        CurvedValley    problem(1e4, bend);
+        std::cout << "  " << bend << ':';
+        try
+          {
+            NewtonSolver(parameters, problem).solve(x);
+            std::cout << "; u = " << x.block(0)(0) << ", v = " << x.block(1)(0)
+                      << '\n';
+          }
+        catch (const NoConvergence &failure)
+          {
+            std::cout << "; " << to_string(failure.cause) << '\n';
+          }
+      }
+  }
+
+
+
   void
   test_merit()
   {
@@ -366,7 +438,7 @@ namespace
     const ConvergenceCriterion criterion{NewtonParameters()};
     const NewtonIteration      start = problem.residual(x);
     const NewtonIteration      state =
-      advance(problem, increment, start.merit, criterion, 5, x);
+      advance(problem, increment, start.merit, criterion, 5, x).state;
     std::cout << "  not the relative residuals: length " << state.step_length
               << '\n';
 
@@ -749,6 +821,7 @@ main(int argc, char *argv[])
   test_kink();
   test_failures();
   test_no_fraction_decreases();
+  test_look_ahead();
   test_merit();
   test_inadmissible_states();
   test_prescribed();

@@ -38,6 +38,27 @@ namespace stickslip
 
 
 
+  /// The state at @p x, which was reached by a fraction @p length of an
+  /// increment and is limited (NewtonProblem::limit()). Collective.
+  NewtonIteration
+  state_at(NewtonProblem &problem, const double length, LA::BlockVector &x);
+
+  /// True if the model has numbers for the state.
+  bool
+  is_finite(const NewtonIteration &state);
+
+
+
+  /// Where a search along an increment has ended.
+  struct LineSearchResult
+  {
+    NewtonIteration state;
+    bool            is_good; ///< the merit is smaller by Armijo's condition
+    bool            full_step_is_admissible; ///< the model has an answer to it
+  };
+
+
+
   /**
    * Adds the largest of the fractions 1, 1/2, 1/4, ... of @p increment to @p x
    * at which the model has an answer and the merit is smaller than
@@ -50,7 +71,7 @@ namespace stickslip
    * left to the caller. Throws NoConvergence (inadmissible) if the model has no
    * answer at any of the fractions. Collective.
    */
-  NewtonIteration
+  LineSearchResult
   advance(NewtonProblem              &problem,
           const LA::BlockVector      &increment,
           const double                reference,
