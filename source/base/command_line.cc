@@ -11,6 +11,11 @@ namespace stickslip
 {
   namespace
   {
+    /// Of the program that is running; empty where nobody has said it.
+    std::string source_commit;
+
+
+
     const std::vector<std::string> &
     command_line_options()
     {
@@ -287,10 +292,19 @@ Exit codes:
 
 
 
+  void
+  set_source_commit(const std::string &commit)
+  {
+    source_commit = commit;
+  }
+
+
+
   std::string
   version_text()
   {
-    return "stickslip " STICKSLIP_VERSION " (deal.II " DEAL_II_PACKAGE_VERSION
-           ")\n";
+    return "stickslip " STICKSLIP_VERSION " (" +
+           (source_commit.empty() ? "" : "commit " + source_commit + ", ") +
+           "deal.II " DEAL_II_PACKAGE_VERSION ")\n";
   }
 } // namespace stickslip

@@ -14,11 +14,12 @@ namespace stickslip
 {
   namespace
   {
-    // The list of laws: a new law is one more entry here.
-    const Registry<ConstitutiveLaw> &
+    // The list of laws: a new law is one more entry here. (Those of other
+    // programs come by register_constitutive_law().)
+    Registry<ConstitutiveLaw> &
     constitutive_laws()
     {
-      static const Registry<ConstitutiveLaw> registry(
+      static Registry<ConstitutiveLaw> registry(
         "constitutive law",
         {{"linear elastic",
           "isotropic linear elasticity at small strains",
@@ -100,6 +101,19 @@ namespace stickslip
                           const std::string &parameter_path)
   {
     return constitutive_laws().create(name, parameter_path);
+  }
+
+
+
+  void
+  register_constitutive_law(
+    const std::string                                       &name,
+    const std::string                                       &description,
+    const std::function<std::unique_ptr<ConstitutiveLaw>()> &create)
+  {
+    if (!constitutive_laws().add({name, description, create}))
+      throw UserError("There is a constitutive law '" + name +
+                      "' already; the other needs another name.");
   }
 
 

@@ -54,7 +54,13 @@ namespace stickslip
   std::string
   help_text();
 
-  /// What `--version` prints: the program's and deal.II's version.
+  /// Says from which commit the program has been built ("" if nobody knows);
+  /// main() knows it, the library does not.
+  void
+  set_source_commit(const std::string &commit);
+
+  /// What `--version` prints: the program's version and commit, and deal.II's
+  /// version.
   std::string
   version_text();
 } // namespace stickslip

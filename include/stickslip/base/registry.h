@@ -47,6 +47,18 @@ namespace stickslip
       , entries(std::move(entries))
     {}
 
+    /// One more, behind the others; false, and nothing added, if there is one
+    /// of this name.
+    bool
+    add(Entry entry)
+    {
+      for (const Entry &known : entries)
+        if (known.name == entry.name)
+          return false;
+      entries.push_back(std::move(entry));
+      return true;
+    }
+
     /**
      * A new object of the kind called @p name. Throws UserError, with the
      * nearest and the known names, for an unknown name; @p parameter_path

@@ -15,7 +15,7 @@ namespace stickslip
 
   /**
    * A point whose displacement, and on request stress and history, is recorded
-   * after each step. The subsection Output/Points/<name>.
+   * after each step. The subsection `Output/Points/<name>`.
    */
   struct PointParameters
   {
@@ -35,7 +35,7 @@ namespace stickslip
 
 
   /// A straight line on a slave surface, along which contact is recorded in
-  /// each step with fields. The subsection Output/Contact lines/<name>.
+  /// each step with fields. The subsection `Output/Contact lines/<name>`.
   struct ContactLineParameters
   {
     std::string         contact_pair;

@@ -68,7 +68,7 @@ namespace stickslip
     void
     read(const ParameterFile &file, ParameterHandler &prm);
 
-    /// Everything that can be set, with placeholder names such as <body>.
+    /// Everything that can be set, with placeholder names such as `<body>`.
     static void
     declare_all(CaseParameters &parameters, ParameterHandler &prm);
 

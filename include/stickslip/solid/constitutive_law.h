@@ -8,6 +8,7 @@
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -125,6 +126,19 @@ namespace stickslip
   std::unique_ptr<ConstitutiveLaw>
   create_constitutive_law(const std::string &name,
                           const std::string &parameter_path);
+
+  /**
+   * Adds a law of a program that links the library, so that parameter files
+   * may name it: `Materials/<material>/Law = name`. To be called on all ranks
+   * before run_program(). @p description goes on in lower case and ends
+   * without a full stop; @p create returns a law with default parameters.
+   * Throws UserError if the name is taken.
+   */
+  void
+  register_constitutive_law(
+    const std::string                                       &name,
+    const std::string                                       &description,
+    const std::function<std::unique_ptr<ConstitutiveLaw>()> &create);
 
   /// All names that create_constitutive_law() knows.
   std::vector<std::string>
