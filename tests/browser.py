@@ -24,19 +24,26 @@ WATCH = ("<script>window.addEventListener('error', e => { document.title = 'SCRI
          " true);</script>")
 
 
+def load(page, milliseconds=5000):
+    """Loads a file where it is, and lets its scripts run for so long."""
+    with tempfile.TemporaryDirectory() as directory:
+        result = subprocess.run(
+            [browser(), "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--enable-logging=stderr",
+             f"--user-data-dir={directory}/profile", "--host-resolver-rules=MAP * ~NOTFOUND",
+             f"--virtual-time-budget={milliseconds}", "--dump-dom", pathlib.Path(page).as_uri()],
+            capture_output=True, text=True, timeout=240)
+    console = [line for line in result.stderr.splitlines() if ":CONSOLE" in line]
+    return Rendered(result.stdout, console)
+
+
 def render(page, script=""):
-    """Loads a file; `script` is run at its end. Throws what the browser does not survive."""
+    """Loads a file alone, elsewhere; `script` is run at its end. Throws what the browser does not survive."""
     text = pathlib.Path(page).read_text().replace("<head>", "<head>" + WATCH, 1)
     text = text.replace("</body>", f"<script>{script}</script></body>", 1)
     with tempfile.TemporaryDirectory() as directory:
         copy = pathlib.Path(directory) / "page.html"
         copy.write_text(text)
-        result = subprocess.run(
-            [browser(), "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--enable-logging=stderr",
-             f"--user-data-dir={directory}/profile", "--host-resolver-rules=MAP * ~NOTFOUND", "--virtual-time-budget=5000",
-             "--dump-dom", copy.as_uri()], capture_output=True, text=True, timeout=240)
-    console = [line for line in result.stderr.splitlines() if ":CONSOLE" in line]
-    return Rendered(result.stdout, console)
+        return load(copy)
 
 
 def errors_of(rendered):
