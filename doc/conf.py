@@ -17,6 +17,7 @@ myst_enable_extensions = ["dollarmath", "amsmath"]
 myst_heading_anchors = 3
 myst_update_mathjax = False  # that is for MathJax 3; Debian has 2
 highlight_language = "text"
+smartquotes = False  # "--option" is not a dash
 html_theme = "sphinx_rtd_theme"
 html_title = "stickslip"
 html_static_path = ["manual.css"]
