@@ -70,7 +70,7 @@ MESHES = {
     "cut within the nodes": ("a.msh", MSH[:285], ["the file ends", "is expected"]),
     "cut before the elements": ("a.msh", MSH[:MSH.index("$Elements")], ["no section $Elements", "incomplete"]),
     "no name in quotation marks": ("a.msh", changed(MSH, '"foot"', "foot"), ["quotation marks", "line 8"]),
-    "triangles": ("a.msh", TRIANGLES, ["1 3-node triangles among 2 cells", "4-node quadrilaterals", "RecombineAll"]),
+    "triangles": ("a.msh", TRIANGLES, ["1 3-node triangles, 1 4-node quadrilaterals among 2 cells", "of one kind", "RecombineAll"]),
     "second order": ("a.msh", changed(MSH, "5 3 2 1 1 1 2 3 4", "5 16 2 1 1 1 2 3 4 5 6 7 8"), ["1 8-node quadrilaterals", "ElementOrder = 1"]),
     "tetrahedra": ("a.msh", changed(MSH, "5 3 2 1 1 1 2 3 4", "5 4 2 1 1 1 2 3 4"), ["2D case", "1 4-node tetrahedra", "Dimension = 3"]),
     "only lines": ("a.msh", changed(MSH, "5 3 2 1 1 1 2 3 4", "5 1 2 1 1 1 2").replace("6 3 2 2 2 5 6 7 8", "6 1 2 2 2 5 6"), ["is made of", "2-node lines"]),

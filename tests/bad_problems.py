@@ -2,6 +2,8 @@
 from bad_words import (CHECK_FALLS_SHORT, HERE, NO_CONVERGENCE, ONE_STEP, WRONG_INPUT, body, condition, material,
                        own_condition, pair, plastic, regularization, steel)
 
+COARSE = body("plate", "Simplices = true", "Arguments = 0 |4| 40 : 0 |1| 1 : 0 |4| 40")
+
 # what is wrong: (file, text added below an include of it, exit code, words of the message)
 CASES = {
     "unknown parameter": (
@@ -52,6 +54,27 @@ CASES = {
     "a gap offset that is not a number": (
         "plate.prm", "subsection Contact\n subsection base\n set Gap offset = sqrt(-t)\n end\nend",
         WRONG_INPUT, ["Contact/base/Gap offset", "not a number", "time 1"]),
+    "bodies of different kinds of cells": (
+        "plate.prm", body("plate", "Simplices = true"),
+        WRONG_INPUT, ["Bodies/plate is made of triangles", "Bodies/base of quadrilaterals", "'Simplices = true' in Bodies/base"]),
+    "triangles that are cut again": (
+        "plate.prm", body("plate", "Generator =", "Arguments =", "Mesh file = %s/triangle.msh" % HERE, "Simplices = true"),
+        WRONG_INPUT, ["Bodies/plate/Simplices", "triangles already"]),
+    "tetrahedra of degree 3": (
+        "block.prm", material("linear elastic") + "set Degree = 3\n" + body("block", "Simplices = true"),
+        WRONG_INPUT, ["Degree is 3", "tetrahedra", "degree 1 or 2"]),
+    "quadratic multipliers on tetrahedra": (
+        "plate_3d.prm", "set Degree = 2\n" + COARSE + body("base", "Simplices = true") + pair("Multiplier space = displacement trace"),
+        WRONG_INPUT, ["Contact/base/Multiplier space", "vanish at its vertices", "'vertices'"]),
+    "nodal contact of quadratic tetrahedra": (
+        "plate_3d.prm", "set Degree = 2\n" + COARSE + body("base", "Simplices = true") + pair("Quadrature = nodal"),
+        WRONG_INPUT, ["Contact/base/Quadrature", "degree 2", "'segments'"]),
+    "Simpson's rule on tetrahedra": (
+        "plate_3d.prm", COARSE + body("base", "Simplices = true") + pair("Quadrature = Simpson"),
+        WRONG_INPUT, ["Contact/base/Quadrature", "Simpson", "segments, nodal, Gauss"]),
+    "periodic boundaries of tetrahedra": (
+        "column_3d.prm", body("block", "Simplices = true") + body("plane", "Simplices = true"),
+        WRONG_INPUT, ["Boundary conditions/", "periodic boundaries of tetrahedra"]),
     "fewer contact points than multipliers": (
         "plate.prm", "set Degree = 2\nsubsection Contact\n subsection base\n set Quadrature = Gauss\n set Quadrature order = 2\n end\nend",
         WRONG_INPUT, ["Contact/base/Quadrature", "Quadrature order", "2 contact points", "3 multipliers", "Multiplier space", "Degree"]),

@@ -21,6 +21,7 @@ FALLBACK_OPTIONS = [NODAL, "Load stepping/Minimum step=0.01", "Load stepping/Req
 CUT_OPTIONS = [NODAL, "Load stepping/Minimum step=0.01", "Load stepping/Requested times=3", "Algorithm/Newton/Max iterations=6",
                "Load stepping/Easy iterations=5", "Algorithm/Name=GNM",
                "Boundary conditions/drag/Value=0.9*max(t-1, 0) - 1.8*max(t-4, 0); -0.02*min(t, 1)"]
+SHORT = ["Load stepping/End time=3"]
 
 
 def test_partitions(runs):
@@ -42,6 +43,17 @@ def test_partitions(runs):
           "a run that continues another directory's begins its own tables")
     check(not differences_of_checkpoints(runs.directory / "uninterrupted", runs.directory / "elsewhere"),
           "... and ends in the same state")
+
+
+def test_simplices(runs):
+    """Triangles of degree 2, with plastic flow and friction."""
+    options = ["Degree=2", *(f"Bodies/{body}/Simplices=true" for body in ("lower", "upper", "metal"))]
+    printed = runs.run("simplices", 1, options=options + SHORT)
+    for n_ranks, other in [(2, 1), (1, 4)]:
+        name = f"simplices-{n_ranks}-{other}"
+        runs.run(name, n_ranks, options=options + ["Load stepping/End time=2"])
+        check(runs.run(name, other, "latest", options + SHORT) == printed, f"{name} prints the same")
+        compare(runs, name, "simplices")
 
 
 def test_algorithms(runs):
@@ -196,7 +208,7 @@ def test_refused(runs):
 
 def main():
     runs = Runs(sys.argv[1], pathlib.Path(sys.argv[2]))
-    for test in (test_partitions, test_path_dependence, test_algorithms, test_fallback, test_cuts_and_growth, test_failed_run,
+    for test in (test_partitions, test_simplices, test_path_dependence, test_algorithms, test_fallback, test_cuts_and_growth, test_failed_run,
                  test_directory, test_refused):
         test(runs)
     print(f"{len(failures)} comparisons failed")

@@ -6,10 +6,12 @@
 #include <stickslip/mesh/generator_arguments.h>
 #include <stickslip/mesh/mesh_checks.h>
 #include <stickslip/mesh/mesh_from_file.h>
+#include <stickslip/mesh/reference_cells.h>
 #include <stickslip/mesh/transformed_manifold.h>
 
 #include <deal.II/base/utilities.h>
 
+#include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
@@ -57,6 +59,36 @@ namespace stickslip
           return moved;
         },
         triangulation);
+    }
+
+
+
+    /// What GridGenerator makes of a quadrilateral or hexahedron.
+    template <int dim>
+    constexpr double n_simplices_per_cell = (dim == 2 ? 8. : 24.);
+
+
+
+    /// Boundary, material and manifold ids stay. New vertices are in the middle
+    /// of straight edges and faces: refinements that have gone before have
+    /// followed the curves.
+    template <int dim>
+    void
+    cut_into_simplices(const std::string  &path,
+                       Triangulation<dim> &triangulation)
+    {
+      if (triangulation.all_reference_cells_are_simplex())
+        throw UserError(path + "/Simplices is true, but the mesh is made of " +
+                        plural(reference_cell_of(triangulation)) +
+                        " already. Leave it out.");
+      Triangulation<dim> flat, simplices;
+      GridGenerator::flatten_triangulation(triangulation, flat);
+      GridGenerator::convert_hypercube_to_simplex_mesh(flat, simplices);
+      for (const types::manifold_id id : simplices.get_manifold_ids())
+        if (id != numbers::flat_manifold_id)
+          simplices.set_manifold(id, triangulation.get_manifold(id));
+      triangulation.clear();
+      triangulation.copy_triangulation(simplices);
     }
 
 
@@ -250,15 +282,14 @@ namespace stickslip
                       triangulation);
       }
     else
-      make_triangulation(files.read(parameters.mesh_file,
-                                    parameters.mesh_format,
-                                    path),
-                         parameters.mesh_groups,
-                         path + "/Mesh file: '" + parameters.mesh_file + "' ",
-                         path,
-                         triangulation,
-                         body->boundaries,
-                         materials);
+      body->warnings.push_back(make_triangulation(
+        files.read(parameters.mesh_file, parameters.mesh_format, path),
+        parameters.mesh_groups,
+        path + "/Mesh file: '" + parameters.mesh_file + "' ",
+        path,
+        triangulation,
+        body->boundaries,
+        materials));
     check_cell_types(triangulation, path);
 
     if (!parameters.coordinates.empty())
@@ -269,13 +300,22 @@ namespace stickslip
     size.check_coarse_refinements(triangulation.n_active_cells(),
                                   parameters.refinements,
                                   path + "/Refinements");
+    if (parameters.simplices)
+      size.check_coarse(n_simplices_per_cell<dim> *
+                          triangulation.n_active_cells() *
+                          std::pow(2., 1. * dim * parameters.refinements),
+                        path + "/Simplices",
+                        "true makes ");
     triangulation.refine_global(parameters.refinements);
+    if (parameters.simplices)
+      cut_into_simplices(path, triangulation);
 
     const AffineMap<dim> map = body_motion<dim>(parameters, path);
     collect_manifolds(map, *body);
     if (!map.is_identity())
       GridTools::transform(map, triangulation);
     check_cell_shapes(triangulation, path);
+    body->warnings.push_back(warning_about_seams(triangulation, path));
 
     const std::string parameter_path = path + "/Boundary ids";
     mark_boundaries(ConditionList(parameters.boundary_ids, parameter_path),

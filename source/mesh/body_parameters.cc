@@ -39,7 +39,8 @@ namespace stickslip
       "arc, 1 outer arc, 2 first angle, 3 last angle, 4 and 5 the ends in z.");
     prm.add_parameter("Mesh file",
                       mesh_file,
-                      "A mesh of quadrilaterals (2D) or hexahedra (3D) from "
+                      "A mesh of quadrilaterals or triangles (2D), of "
+                      "hexahedra or tetrahedra (3D) from "
                       "Gmsh (.msh), Abaqus (.inp), VTK (.vtk, .vtu) or UCD "
                       "(.ucd, .inp); relative names start at the folder of the "
                       ".prm file. Names of physical groups, sets and surfaces "
@@ -73,6 +74,13 @@ namespace stickslip
                       "every rank holds. For large meshes prefer "
                       "'Mesh/Global refinements'.",
                       Patterns::Integer(0, 12));
+
+    prm.add_parameter("Simplices",
+                      simplices,
+                      "Cuts each quadrilateral into 8 triangles, each "
+                      "hexahedron into 24 tetrahedra, after the Refinements of "
+                      "this body. All bodies of a model have to be made of one "
+                      "kind of cells.");
 
     prm.add_parameter("Scale",
                       scale,

@@ -3,6 +3,7 @@
 #include <stickslip/base/user_error.h>
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -20,11 +21,10 @@ namespace stickslip
         const auto &sides = sides_of(file.type(cell).shape);
         for (unsigned int s = 0; s < sides.size(); ++s)
           {
-            Face face{{}, cell, s};
-            for (unsigned int v = 0; v < n_vertices; ++v)
-              face.sorted[v] = file.nodes(cell)[sides[s][v]];
-            std::sort(face.sorted.begin(), face.sorted.end());
-            all.push_back(face);
+            std::vector<unsigned int> vertices;
+            for (const unsigned int v : sides[s])
+              vertices.push_back(file.nodes(cell)[v]);
+            all.push_back({sorted_vertices(vertices), cell, s});
           }
       }
     std::sort(all.begin(), all.end());
@@ -53,14 +53,27 @@ namespace stickslip
 
 
   template <int dim>
+  typename FreeFaces<dim>::Vertices
+  FreeFaces<dim>::sorted_vertices(const std::vector<unsigned int> &vertices)
+  {
+    Vertices sorted;
+    sorted.fill(std::numeric_limits<unsigned int>::max());
+    std::copy(vertices.begin(), vertices.end(), sorted.begin());
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
+  }
+
+
+
+  template <int dim>
   std::size_t
   FreeFaces<dim>::find(const MeshFile &file, const std::size_t element) const
   {
-    if (n_vertices_of(file.type(element).shape) != n_vertices)
-      return size();
-    Face face{{}, 0, 0};
-    std::copy_n(file.nodes(element).begin(), n_vertices, face.sorted.begin());
-    std::sort(face.sorted.begin(), face.sorted.end());
+    const auto nodes = file.nodes(element).begin();
+    const Face face{sorted_vertices(
+                      {nodes, nodes + n_vertices_of(file.type(element).shape)}),
+                    0,
+                    0};
     const auto found = std::lower_bound(faces.begin(), faces.end(), face);
     return found != faces.end() && found->sorted == face.sorted
              ? found - faces.begin()
@@ -78,7 +91,7 @@ namespace stickslip
     for (const unsigned int v :
          sides_of(file.type(cell).shape)[faces[face].side])
       points.push_back(file.nodes(cell)[v]);
-    if (dim == 3)
+    if (points.size() == 4)
       std::swap(points[2], points[3]);
     return points;
   }

@@ -15,7 +15,7 @@ namespace stickslip
       const std::map<types::manifold_id, types::manifold_id> &manifold_ids,
       const std::vector<unsigned int>                        &new_vertices)
     {
-      CellData<structdim> data;
+      CellData<structdim> data(object->n_vertices());
       for (const unsigned int v : object->vertex_indices())
         data.vertices[v] = new_vertices[object->vertex_index(v)];
       const auto manifold = manifold_ids.find(object->manifold_id());

@@ -4,7 +4,7 @@
 #include <stickslip/base/user_error.h>
 #include <stickslip/mesh/body_mesh.h>
 #include <stickslip/mesh/joined_mesh.h>
-#include <stickslip/mesh/mesh_checks.h>
+#include <stickslip/mesh/reference_cells.h>
 
 #include <deal.II/distributed/fully_distributed_tria.h>
 #include <deal.II/distributed/tria.h>
@@ -15,6 +15,8 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace stickslip
 {
@@ -131,6 +133,31 @@ namespace stickslip
               "' cannot be identified by a shift in direction " +
               "xyz"[requests[i].direction] + ". " + short_message(exception));
           }
+    }
+
+
+
+    /// Names of bodies and the cells that they are made of.
+    using KindsOfCells = std::vector<std::pair<std::string, ReferenceCell>>;
+
+
+
+    ReferenceCell
+    common_cell(const KindsOfCells &kinds)
+    {
+      const auto &[first_name, first] = kinds.front();
+      for (const auto &[name, cell] : kinds)
+        if (cell != first)
+          {
+            const auto &simple = cell.is_simplex() ? first_name : name;
+            throw UserError(
+              "Bodies/" + first_name + " is made of " + plural(first) +
+              ", Bodies/" + name + " of " + plural(cell) +
+              ": all bodies of a model have to be made of one kind of cells. "
+              "'Simplices = true' in Bodies/" +
+              simple + " cuts its cells.");
+          }
+      return first;
     }
 
 
@@ -260,31 +287,44 @@ namespace stickslip
 
     Mesh<dim>       mesh;
     JoinedMesh<dim> joined_mesh;
+    KindsOfCells    kinds;
     MeshFiles       files(parameters.input_directory, communicator);
-    const MeshSize  size(dim, parameters.bytes_per_cell, communicator);
+    const MeshSize  size(dim, communicator);
     for (const auto &[name, body] : body_parameters)
       {
         const std::string path = "Bodies/" + name;
         body.check(path);
         const auto body_mesh = make_body_mesh<dim>(body, path, files, size);
-        const std::string warning =
-          warning_about_seams(body_mesh->triangulation, path);
-        if (!warning.empty())
-          mesh.warnings.push_back(warning);
+        for (const std::string &warning : body_mesh->warnings)
+          if (!warning.empty())
+            mesh.warnings.push_back(warning);
+        kinds.emplace_back(name, reference_cell_of(body_mesh->triangulation));
         append_body(name, body.is_rigid, *body_mesh, mesh.bodies, joined_mesh);
       }
+
+    const ReferenceCell cell          = common_cell(kinds);
+    const bool          has_simplices = cell.is_simplex();
+    if (has_simplices && !periodic_requests.empty())
+      throw UserError(periodic_requests.front().parameter_path +
+                      ": periodic boundaries of " + plural(cell) +
+                      " are not available, only of " +
+                      plural(ReferenceCells::get_hypercube<dim>()) + ".");
 
     mesh.periodic_boundaries =
       find_periodic_boundaries<dim>(periodic_requests, mesh.bodies);
     check_periodicity(joined_mesh, mesh.periodic_boundaries, periodic_requests);
 
+    // p4est knows no simplices
+    const bool with_metis =
+      has_simplices || parameters.partitioner == Partitioner::metis;
     size.check_refinements(joined_mesh.n_cells(),
                            parameters.global_refinements,
-                           parameters.partitioner == Partitioner::metis,
+                           has_simplices ? parameters.bytes_per_simplex
+                                         : parameters.bytes_per_cell,
+                           with_metis,
                            "Mesh/Global refinements");
-    const auto distribute = (parameters.partitioner == Partitioner::metis
-                               ? distribute_with_metis<dim>
-                               : distribute_with_p4est<dim>);
+    const auto distribute =
+      (with_metis ? distribute_with_metis<dim> : distribute_with_p4est<dim>);
     mesh.triangulation =
       distribute(joined_mesh,
                  mesh.periodic_boundaries,

@@ -17,6 +17,20 @@ namespace stickslip
 {
   namespace
   {
+    /// The Jacobian determinant, which is the same everywhere.
+    template <int dim>
+    double
+    simplex_jacobian(
+      const typename Triangulation<dim>::active_cell_iterator &cell)
+    {
+      Tensor<2, dim> edges;
+      for (unsigned int d = 0; d < dim; ++d)
+        edges[d] = cell->vertex(d + 1) - cell->vertex(0);
+      return determinant(edges);
+    }
+
+
+
     /// Smallest Jacobian determinant at the vertices relative to a cube of the
     /// cell's size.
     template <int dim>
@@ -24,6 +38,13 @@ namespace stickslip
     smallest_relative_jacobian(
       const typename Triangulation<dim>::active_cell_iterator &cell)
     {
+      const double volume = std::pow(cell->diameter(), dim);
+      if (cell->reference_cell().is_simplex())
+        {
+          // A NaN shall count as degenerate.
+          const double jacobian = simplex_jacobian<dim>(cell) / volume;
+          return jacobian > -1. ? jacobian : -1.;
+        }
       constexpr unsigned int n = GeometryInfo<dim>::vertices_per_cell;
 
       Point<dim> vertices[n];
@@ -32,8 +53,7 @@ namespace stickslip
       Tensor<0, dim> determinants[n];
       GeometryInfo<dim>::alternating_form_at_vertices(vertices, determinants);
 
-      const double volume   = std::pow(cell->diameter(), dim);
-      double       smallest = std::numeric_limits<double>::max();
+      double smallest = std::numeric_limits<double>::max();
       for (const double determinant : determinants)
         // A NaN shall count as degenerate.
         smallest = !(determinant / volume > -1.)
@@ -64,15 +84,16 @@ namespace stickslip
   check_cell_types(const Triangulation<dim> &triangulation,
                    const std::string        &path)
   {
-    const std::string allowed = (dim == 2 ? "quadrilaterals" : "hexahedra");
+    const std::string allowed =
+      (dim == 2 ? "quadrilaterals or triangles" : "hexahedra or tetrahedra");
     if (triangulation.n_active_cells() == 0)
       throw UserError(path + ": the mesh has no cells. A " +
                       std::to_string(dim) + "D case needs " + allowed + ".");
-    if (!triangulation.all_reference_cells_are_hyper_cube())
-      throw UserError(
-        path + ": the mesh has " +
-        (dim == 2 ? "triangles" : "tetrahedra, wedges or pyramids") +
-        ", only " + allowed + " are supported.");
+    if (!triangulation.all_reference_cells_are_hyper_cube() &&
+        !triangulation.all_reference_cells_are_simplex())
+      throw UserError(path +
+                      ": the mesh has cells of several kinds; all have " +
+                      "to be " + allowed + ".");
   }
 
 

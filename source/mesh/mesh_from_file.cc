@@ -69,7 +69,7 @@ namespace stickslip
       double z_min = std::numeric_limits<double>::max(), z_max = -z_min;
       double extent = 0.;
       for (const std::size_t e : cells)
-        for (const unsigned int node : file.nodes(e))
+        for (const unsigned int node : file.vertices(e))
           if (new_indices[node] == numbers::invalid_unsigned_int)
             {
               new_indices[node] = vertices.size();
@@ -167,23 +167,41 @@ namespace stickslip
 
 
     /// Vertices of a cell of the file in deal.II's order.
-    template <int structdim>
     std::vector<unsigned int>
-    lexicographic_vertices(const MeshFile &file, const std::size_t element)
+    ordered_vertices(const MeshFile &file, const std::size_t element)
     {
-      const auto                nodes = file.nodes(element);
-      std::vector<unsigned int> vertices(nodes.begin(),
-                                         nodes.begin() + (1 << structdim));
-      for (unsigned int first = 0; first + 3 < vertices.size(); first += 4)
-        std::swap(vertices[first + 2], vertices[first + 3]);
+      std::vector<unsigned int> vertices = file.vertices(element);
+      if (!is_simplex(file.type(element).shape)) // lexicographic
+        for (unsigned int first = 0; first + 3 < vertices.size(); first += 4)
+          std::swap(vertices[first + 2], vertices[first + 3]);
       return vertices;
+    }
+
+
+
+    std::string
+    warning_about_straight_sides(const MeshFile                 &file,
+                                 const std::vector<std::size_t> &cells,
+                                 const std::string              &path)
+    {
+      const auto n_curved =
+        std::count_if(cells.begin(), cells.end(), [&](const std::size_t e) {
+          return !file.type(e).is_linear();
+        });
+      if (n_curved == 0)
+        return "";
+      return path + "/Mesh file: of " + std::to_string(n_curved) +
+             " cells of the second order (" +
+             file.type(cells.front()).plural() +
+             ") only the vertices are used; curved sides become straight. "
+             "'Degree' says which elements are made of them.";
     }
   } // namespace
 
 
 
   template <int dim>
-  void
+  std::string
   make_triangulation(const MeshFile                 &file,
                      const std::vector<std::string> &groups,
                      const std::string              &where,
@@ -208,8 +226,7 @@ namespace stickslip
     for (const SelectedCell &cell : selection)
       {
         cells.push_back(
-          cell_data<dim>(lexicographic_vertices<dim>(file, cell.element),
-                         new_indices));
+          cell_data<dim>(ordered_vertices(file, cell.element), new_indices));
         cells.back().material_id = material_ids(cell.groups);
       }
     material_ids.note_unused_names(dim, file);
@@ -232,7 +249,8 @@ namespace stickslip
     try
       {
         GridTools::invert_cells_with_negative_measure(vertices, cells);
-        GridTools::consistently_order_cells(cells);
+        if (!is_simplex(file.type(elements.front()).shape))
+          GridTools::consistently_order_cells(cells);
         triangulation.create_triangulation(vertices, cells, sub_cells);
       }
     catch (const ExceptionBase &exception)
@@ -240,11 +258,12 @@ namespace stickslip
         throw UserError(where + "is no mesh whose cells fit together: " +
                         short_message(exception));
       }
+    return warning_about_straight_sides(file, elements, path);
   }
 
 
 
-  template void
+  template std::string
   make_triangulation(const MeshFile &,
                      const std::vector<std::string> &,
                      const std::string &,
@@ -252,7 +271,7 @@ namespace stickslip
                      Triangulation<2> &,
                      LabelledIds &,
                      LabelledIds &);
-  template void
+  template std::string
   make_triangulation(const MeshFile &,
                      const std::vector<std::string> &,
                      const std::string &,

@@ -323,11 +323,7 @@ namespace stickslip
     std::vector<std::size_t> cells =
       elements_of_groups(file, {}, inspection.dimension, "");
     look_at_groups(file, inspection);
-    bool can_be_used = true;
-    for (const std::size_t cell : cells)
-      can_be_used = can_be_used && file.type(cell).is_linear() &&
-                    file.nodes(cell).size() == (1u << inspection.dimension) &&
-                    file.type(cell).shape != ElementShape::tetrahedron;
+    const bool can_be_used = is_of_usable_cells(file, cells);
     if (can_be_used)
       {
         const auto selection = select_cells(
@@ -345,10 +341,9 @@ namespace stickslip
           : find_interfaces<3>(file, cells, bodies, inspection.box.extent());
     else
       inspection.warnings.push_back(
-        std::string("only ") +
-        (inspection.dimension == 2 ? "4-node quadrilaterals"
-                                   : "8-node hexahedra") +
-        " can be used in a case; interfaces were not looked at");
+        "only " + usable_cells_in_words(inspection.dimension) +
+        " can be used in a case, of one kind in a body; interfaces were not "
+        "looked at");
     add_warnings(file, inspection);
     return inspection;
   }

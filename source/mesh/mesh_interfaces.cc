@@ -238,6 +238,11 @@ namespace stickslip
       const auto v = faces.vertices(face);
       if (dim == 2)
         return distance_to_segment(point, file.points[v[0]], file.points[v[1]]);
+      if (v.size() == 3)
+        return distance_to_triangle(point,
+                                    file.points[v[0]],
+                                    file.points[v[1]],
+                                    file.points[v[2]]);
       return std::min(distance_to_triangle(point,
                                            file.points[v[0]],
                                            file.points[v[1]],

@@ -22,9 +22,10 @@ namespace stickslip
                "Partitioner",
                partitioner,
                all_partitioners(),
-               expert("How cells are distributed: p4est (along a space-filling "
-                      "curve) or METIS "
-                      "(graph partitioning)."));
+               expert(
+                 "How cells are distributed: p4est (along a space-filling "
+                 "curve) or METIS "
+                 "(graph partitioning; triangles and tetrahedra always)."));
     prm.add_parameter("Global refinements",
                       global_refinements,
                       "Uniform refinements of all bodies, after those of each "

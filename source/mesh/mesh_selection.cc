@@ -14,25 +14,30 @@ namespace stickslip
 {
   namespace
   {
-    std::string
-    cells_wanted(const unsigned int dim)
-    {
-      return dim == 2 ? "4-node quadrilaterals" : "8-node hexahedra";
-    }
-
-
-
     /// What to do if the cells are not of the right type.
     std::string
     advice_on_cells(const unsigned int dim)
     {
-      return dim == 2 ? "Mesh with quadrilaterals of the first order (Gmsh: "
+      return dim == 2 ? "Mesh with triangles alone, or with quadrilaterals of "
+                        "the first order (Gmsh: "
                         "Mesh.RecombineAll = 1; Mesh.ElementOrder = 1)."
-                      : "Mesh with hexahedra of the first order (Gmsh: "
+                      : "Mesh with tetrahedra alone, or with hexahedra of the "
+                        "first order (Gmsh: "
                         "transfinite volumes with Recombine, extrusion with "
                         "Layers and "
                         "Recombine, or Mesh.SubdivisionAlgorithm = 2; "
                         "Mesh.ElementOrder = 1).";
+    }
+
+
+
+    /// Can cells of this type be used, straight where they are curved?
+    bool
+    can_be_used(const MeshElementType &type)
+    {
+      return is_simplex(type.shape) ||
+             (type.is_linear() && (type.shape == ElementShape::quadrilateral ||
+                                   type.shape == ElementShape::hexahedron));
     }
 
 
@@ -54,24 +59,21 @@ namespace stickslip
                ? "For this mesh set 'Dimension = " + std::to_string(found) +
                    "'."
                : "A " + std::to_string(dim) + "D case needs " +
-                   cells_wanted(dim) + "."));
+                   usable_cells_in_words(dim) + "."));
         }
-      std::map<std::string, std::size_t> wrong;
-      for (const std::size_t e : cells)
-        if (!file.type(e).is_linear() ||
-            (file.type(e).shape != ElementShape::quadrilateral &&
-             file.type(e).shape != ElementShape::hexahedron))
-          ++wrong[file.type(e).plural()];
-      if (wrong.empty())
+      if (is_of_usable_cells(file, cells))
         return;
+      std::map<std::string, std::size_t> usable, wrong;
+      for (const std::size_t e : cells)
+        ++(can_be_used(file.type(e)) ? usable : wrong)[file.type(e).plural()];
       std::string text;
-      for (const auto &[name, number] : wrong)
+      for (const auto &[name, number] : wrong.empty() ? usable : wrong)
         text +=
           (text.empty() ? "" : ", ") + std::to_string(number) + " " + name;
       throw UserError(where + "has " + text + " among " +
-                      std::to_string(cells.size()) + " cells; only " +
-                      cells_wanted(dim) + " can be used. " +
-                      advice_on_cells(dim));
+                      std::to_string(cells.size()) + " cells; the cells of a " +
+                      "body have to be of one kind, " +
+                      usable_cells_in_words(dim) + ". " + advice_on_cells(dim));
     }
 
 
@@ -124,6 +126,27 @@ namespace stickslip
       return result;
     }
   } // namespace
+
+
+
+  std::string
+  usable_cells_in_words(const unsigned int dim)
+  {
+    return dim == 2 ? "triangles or 4-node quadrilaterals"
+                    : "tetrahedra or 8-node hexahedra";
+  }
+
+
+
+  bool
+  is_of_usable_cells(const MeshFile                 &file,
+                     const std::vector<std::size_t> &cells)
+  {
+    return std::all_of(cells.begin(), cells.end(), [&](const std::size_t e) {
+      return can_be_used(file.type(e)) &&
+             file.type(e).shape == file.type(cells.front()).shape;
+    });
+  }
 
 
 

@@ -103,11 +103,8 @@ namespace stickslip
 
 
 
-  MeshSize::MeshSize(const unsigned int dim,
-                     const double       bytes_per_cell,
-                     const MPI_Comm     communicator)
+  MeshSize::MeshSize(const unsigned int dim, const MPI_Comm communicator)
     : dim(dim)
-    , bytes_per_cell(bytes_per_cell)
   {
     MPI_Comm node;
     int      ierr = MPI_Comm_split_type(
@@ -162,6 +159,7 @@ namespace stickslip
   void
   MeshSize::check_refinements(const double       n_cells,
                               const unsigned int n_refinements,
+                              const double       bytes_per_cell,
                               const bool         on_one_rank,
                               const std::string &path) const
   {

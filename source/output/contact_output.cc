@@ -1,6 +1,7 @@
 #include <stickslip/output/contact_output.h>
 
 #include <stickslip/output/contact_points_table.h>
+#include <stickslip/output/linear_simplices.h>
 
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/utilities.h>
@@ -43,6 +44,10 @@ namespace stickslip
             patches.push_back(make_patch(face, deformed));
             patches.back().patch_index = patches.size() - 1;
           }
+        if constexpr (dim == 3)
+          if (!faces.empty() && faces[0].degree > 1 &&
+              faces[0].cell == ReferenceCells::Triangle)
+            cut_into_linear_simplices(patches);
       }
 
     private:
@@ -100,9 +105,7 @@ namespace stickslip
                                     const bool                    deformed)
     {
       const unsigned int n_nodes = face.reference_positions.size();
-      const unsigned int degree  = face.nodes_per_direction - 1;
-      AssertDimension(
-        n_nodes, Utilities::fixed_power<dim - 1>(face.nodes_per_direction));
+      const unsigned int degree  = face.degree;
       AssertDimension(face.displacements.size(), n_nodes);
       AssertDimension(face.lambda_n.size(), n_nodes);
       AssertDimension(face.Lambda.size(), n_nodes);
@@ -110,7 +113,7 @@ namespace stickslip
       const ContactNodalFields<dim> fields(face);
 
       Patch patch;
-      patch.reference_cell       = ReferenceCells::get_hypercube<dim - 1>();
+      patch.reference_cell       = face.cell;
       patch.n_subdivisions       = degree;
       patch.points_are_available = true;
       patch.data.reinit(dim * contact_vector_names.size() +
@@ -148,12 +151,12 @@ namespace stickslip
             patch.data(row++, i) = positions[i][d];
         }
 
-      for (const unsigned int v :
-           ReferenceCells::get_hypercube<dim - 1>().vertex_indices())
+      for (const unsigned int v : face.cell.vertex_indices())
         {
           const unsigned int i = v % 2, j = v / 2;
-          patch.vertices[v] =
-            positions[degree * (i + j * face.nodes_per_direction)];
+          patch.vertices[v] = face.cell == ReferenceCells::Triangle
+                                ? positions[v]
+                                : positions[degree * (i + j * (degree + 1))];
         }
       return patch;
     }
@@ -261,9 +264,13 @@ namespace stickslip
                             const double                               time,
                             const std::vector<ContactFaceResult<dim>> &faces)
   {
-    unsigned int degree = 1;
+    unsigned int  degree = 1;
+    ReferenceCell cell   = ReferenceCells::get_hypercube<dim - 1>();
     for (const ContactFaceResult<dim> &face : faces)
-      degree = std::max(degree, face.nodes_per_direction - 1);
+      {
+        degree = std::max(degree, face.degree);
+        cell   = face.cell;
+      }
     degree = Utilities::MPI::max(degree, communicator);
 
     ContactPatches<dim>   patches(faces, deformed);
@@ -271,10 +278,11 @@ namespace stickslip
     flags.compression_level   = decltype(flags.compression_level)::best_speed;
     flags.print_date_and_time = false;
     // deal.II 9.4 has no node numbering of Lagrange curves: subdivided lines.
-    flags.write_higher_order_cells =
-      dim == 3 && higher_order_cells && degree > 1;
+    flags.write_higher_order_cells = dim == 3 && higher_order_cells &&
+                                     degree > 1 &&
+                                     cell != ReferenceCells::Triangle;
     patches.set_flags(flags);
-    series.write(patches, step, time);
+    series.write(patches, step, time, cell);
     lines.write(step, time, faces);
     if (writes_points)
       write_contact_points(directory + "/contact_points-" +

@@ -1,7 +1,11 @@
 #include <stickslip/output/field_output.h>
 
+#include <stickslip/output/linear_simplices.h>
 #include <stickslip/output/stress_projection.h>
 
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/fe/mapping_fe_field.h>
 #include <deal.II/fe/mapping_q_eulerian.h>
 
 #include <deal.II/numerics/data_out.h>
@@ -55,6 +59,14 @@ namespace stickslip
     template <int dim>
     class FieldPatches : public DataOut<dim>
     {
+    public:
+      /// After build_patches() with 2 subdivisions.
+      void
+      cut_quadratic_simplices()
+      {
+        cut_into_linear_simplices(this->patches);
+      }
+
     protected:
       using Range =
         std::tuple<unsigned int,
@@ -81,6 +93,41 @@ namespace stickslip
         return ranges;
       }
     };
+
+
+
+    /// Where the nodes of the deformed bodies are; ghosted.
+    template <int dim>
+    LA::Vector
+    nodal_positions(const Mapping<dim>    &mapping,
+                    const DoFHandler<dim> &dof_handler,
+                    const LA::Vector      &displacement)
+    {
+      const FiniteElement<dim> &fe           = dof_handler.get_fe();
+      const IndexSet           &owned        = dof_handler.locally_owned_dofs();
+      const MPI_Comm            communicator = dof_handler.get_communicator();
+      LA::Vector                positions(owned, communicator);
+      std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            cell->get_dof_indices(dofs);
+            for (unsigned int i = 0; i < dofs.size(); ++i)
+              if (owned.is_element(dofs[i]))
+                positions(dofs[i]) =
+                  displacement(dofs[i]) +
+                  mapping.transform_unit_to_real_cell(
+                    cell,
+                    fe.unit_support_point(
+                      i))[fe.system_to_component_index(i).first];
+          }
+      positions.compress(VectorOperation::insert);
+      IndexSet relevant;
+      DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+      LA::Vector ghosted(owned, relevant, communicator);
+      ghosted = positions;
+      return ghosted;
+    }
   } // namespace
 
 
@@ -116,6 +163,7 @@ namespace stickslip
                           const MaterialFields<dim> &material)
   {
     const unsigned int    degree = dof_handler.get_fe().degree;
+    const ReferenceCell   cell   = dof_handler.get_fe().reference_cell();
     const CellFields<dim> cell_fields(dof_handler.get_triangulation(), bodies);
     std::unique_ptr<StressProjection<dim>> projection;
 
@@ -144,23 +192,31 @@ namespace stickslip
     DataOutBase::VtkFlags flags;
     flags.compression_level   = decltype(flags.compression_level)::best_speed;
     flags.print_date_and_time = false;
-    flags.write_higher_order_cells = higher_order_cells && degree > 1;
+    flags.write_higher_order_cells =
+      higher_order_cells && degree > 1 && !cell.is_simplex();
     data_out.set_flags(flags);
 
-    if (deformed)
-      data_out.build_patches(MappingQEulerian<dim, LA::Vector>(degree,
-                                                               dof_handler,
-                                                               displacement),
-                             degree,
-                             DataOut<dim>::curved_inner_cells);
+    const auto build_patches = [&](const Mapping<dim> &shape) {
+      data_out.build_patches(shape, degree, DataOut<dim>::curved_inner_cells);
+    };
+    if (!deformed)
+      build_patches(mapping);
+    else if (cell.is_simplex())
+      {
+        const LA::Vector positions =
+          nodal_positions(mapping, dof_handler, displacement);
+        build_patches(
+          MappingFEField<dim, dim, LA::Vector>(dof_handler, positions));
+      }
     else
-      data_out.build_patches(mapping, degree, DataOut<dim>::curved_inner_cells);
+      build_patches(
+        MappingQEulerian<dim, LA::Vector>(degree, dof_handler, displacement));
+    if (cell.is_simplex() && degree > 1)
+      data_out.cut_quadratic_simplices();
     data_out.clear_input_data_references(); // the patches have the values
 
-    series.write(data_out,
-                 step,
-                 time,
-                 dim == 3 && flags.write_higher_order_cells);
+    series.write(
+      data_out, step, time, cell, dim == 3 && flags.write_higher_order_cells);
   }
 
 

@@ -135,6 +135,7 @@ namespace stickslip
   OutputSeries::write(const DataOutInterface<dim, spacedim> &data,
                       const unsigned int                     step,
                       const double                           time,
+                      const ReferenceCell                   &cell,
                       const bool has_lagrange_hexahedra)
   {
     const std::string step_name =
@@ -143,7 +144,7 @@ namespace stickslip
     Entry       entry{time, ""};
     std::string error;
     if (is_hdf5)
-      write_hdf5(data, step_name, time, entry.text);
+      write_hdf5(data, step_name, time, cell, entry.text);
     else
       {
         error = write_vtu(data,
@@ -212,6 +213,7 @@ namespace stickslip
   OutputSeries::write_hdf5(const DataOutInterface<dim, spacedim> &data,
                            const std::string                     &step_name,
                            const double                           time,
+                           const ReferenceCell                   &cell,
                            std::string                           &grid) const
   {
     // Nodes are not merged: stresses jump between cells.
@@ -241,8 +243,7 @@ namespace stickslip
 #if DEAL_II_VERSION_GTE(9, 5, 0)
           description = entry.get_xdmf_content(3);
 #else
-          description =
-            entry.get_xdmf_content(3, ReferenceCells::get_hypercube<dim>());
+          description = entry.get_xdmf_content(3, cell);
 #endif
         MPI_Comm_free(&writers);
       }
@@ -295,20 +296,24 @@ namespace stickslip
   OutputSeries::write(const DataOutInterface<2, 2> &,
                       const unsigned int,
                       const double,
+                      const ReferenceCell &,
                       const bool);
   template void
   OutputSeries::write(const DataOutInterface<3, 3> &,
                       const unsigned int,
                       const double,
+                      const ReferenceCell &,
                       const bool);
   template void
   OutputSeries::write(const DataOutInterface<1, 2> &,
                       const unsigned int,
                       const double,
+                      const ReferenceCell &,
                       const bool);
   template void
   OutputSeries::write(const DataOutInterface<2, 3> &,
                       const unsigned int,
                       const double,
+                      const ReferenceCell &,
                       const bool);
 } // namespace stickslip

@@ -1,9 +1,7 @@
 #include <stickslip/output/point_values.h>
 
 #include <stickslip/base/user_error.h>
-
-#include <deal.II/base/geometry_info.h>
-#include <deal.II/base/quadrature_lib.h>
+#include <stickslip/mesh/reference_cells.h>
 
 #include <deal.II/grid/cell_id.h>
 
@@ -162,14 +160,15 @@ namespace stickslip
               continue; // far outside of a distorted cell
             }
           PointOffer offer;
-          offer.distance = GeometryInfo<dim>::distance_to_unit_cell(unit_point);
-          offer.cell_id  = cell->id().to_string();
+          offer.distance =
+            distance_to_unit_cell(cell->reference_cell(), unit_point);
+          offer.cell_id = cell->id().to_string();
           if (offer.distance <= outside_cell_tolerance && offer < best_offer)
             {
               best_offer = offer;
               best.cell  = cell;
               best.unit_point =
-                GeometryInfo<dim>::project_to_unit_cell(unit_point);
+                project_to_unit_cell(cell->reference_cell(), unit_point);
               best.distance = offer.distance;
             }
         }
@@ -222,9 +221,10 @@ namespace stickslip
     std::vector<double> state(n_stresses + material.history_names.size(), 0.);
     if (locations[p].cell.state() == IteratorState::valid)
       {
-        const auto         cell_values = material.evaluate(locations[p].cell);
-        const QGauss<dim>  quadrature(element.degree + 1);
-        const auto        &places = quadrature.get_points();
+        const auto cell_values = material.evaluate(locations[p].cell);
+        const auto places =
+          cell_quadrature<dim>(element.reference_cell(), element.degree)
+            .get_points();
         const unsigned int q =
           std::min_element(places.begin(),
                            places.end(),

@@ -1,13 +1,13 @@
 #include <stickslip/output/stress_projection.h>
 
-#include <deal.II/base/quadrature_lib.h>
+#include <stickslip/mesh/reference_cells.h>
 
-#include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_values.h>
 
 #include <deal.II/lac/full_matrix.h>
 
 #include <cmath>
+#include <memory>
 
 namespace stickslip
 {
@@ -20,6 +20,13 @@ namespace stickslip
     {
       const unsigned int n_nodes  = fe_values.dofs_per_cell;
       const unsigned int n_points = fe_values.n_quadrature_points;
+      FullMatrix<double> projection(n_nodes, n_points);
+      if (n_points == 1) // the stress is constant
+        {
+          for (unsigned int i = 0; i < n_nodes; ++i)
+            projection(i, 0) = 1.;
+          return projection;
+        }
 
       FullMatrix<double> mass(n_nodes, n_nodes), load(n_nodes, n_points);
       for (unsigned int q = 0; q < n_points; ++q)
@@ -30,7 +37,6 @@ namespace stickslip
               mass(i, j) += load(i, q) * fe_values.shape_value(j, q);
           }
       mass.gauss_jordan();
-      FullMatrix<double> projection(n_nodes, n_points);
       mass.mmult(projection, load);
       return projection;
     }
@@ -93,14 +99,18 @@ namespace stickslip
     : history_names(material.history_names)
     , dof_handler(displacement_dof_handler.get_triangulation())
   {
-    const FE_DGQ<dim> element(1);
+    const auto &displacement = displacement_dof_handler.get_fe();
+    const std::unique_ptr<FiniteElement<dim>> space =
+      make_discontinuous_element<dim>(displacement.reference_cell());
+    const FiniteElement<dim> &element = *space;
     dof_handler.distribute_dofs(element);
     fields.assign(names().size(),
                   Field(dof_handler.locally_owned_dofs(),
                         dof_handler.get_communicator()));
 
-    const QGauss<dim> quadrature(displacement_dof_handler.get_fe().degree + 1);
-    FEValues<dim>     fe_values(mapping,
+    const Quadrature<dim> quadrature =
+      cell_quadrature<dim>(displacement.reference_cell(), displacement.degree);
+    FEValues<dim> fe_values(mapping,
                             element,
                             quadrature,
                             update_values | update_JxW_values);

@@ -1,6 +1,7 @@
 #include <stickslip/output/surface_values.h>
 
 #include <stickslip/base/user_error.h>
+#include <stickslip/mesh/reference_cells.h>
 
 #include <stickslip/contact/surface/face_shape.h>
 #include <stickslip/contact/surface/surface_face.h>
@@ -35,6 +36,18 @@ namespace stickslip
 
 
 
+    template <int dim>
+    Point<dim - 1>
+    project_to_face(const FaceShape<dim> &shape, Point<dim - 1> xi)
+    {
+      if constexpr (dim == 3)
+        return project_to_unit_cell(shape.reference_cell(), xi);
+      xi[0] = std::clamp(xi[0], 0., 1.);
+      return xi;
+    }
+
+
+
     /// The nearest place on a face (Gauss-Newton, clamped to the face).
     template <int dim>
     Place<dim>
@@ -55,8 +68,7 @@ namespace stickslip
 
       FaceShapeValues<dim> values;
       Tensor<1, dim>       rest;
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        place.xi[d] = 0.5;
+      place.xi = shape.centre();
       for (unsigned int iteration = 0; iteration < 20; ++iteration)
         {
           shape.evaluate(place.xi, values);
@@ -72,8 +84,7 @@ namespace stickslip
             }
           const Tensor<1, dim - 1> step = invert(metric) * right_hand_side;
           const Point<dim - 1>     old  = place.xi;
-          for (unsigned int a = 0; a < dim - 1; ++a)
-            place.xi[a] = std::clamp(place.xi[a] + step[a], 0., 1.);
+          place.xi = project_to_face<dim>(shape, place.xi + step);
           if (place.xi.distance(old) < 1e-14)
             break;
         }
@@ -132,8 +143,9 @@ namespace stickslip
     std::vector<SurfaceValues<dim>> result(points.size());
     if (points.empty())
       return result;
-    const FaceShape<dim> shape(
-      faces.empty() ? 1 : faces[0].nodes_per_direction - 1);
+    const FaceShape<dim> shape =
+      faces.empty() ? FaceShape<dim>(1)
+                    : FaceShape<dim>(faces[0].degree, faces[0].cell);
 
     std::vector<std::vector<Place<dim>>> places(points.size());
     std::vector<double>                  nearest(points.size(), far);

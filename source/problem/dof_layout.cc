@@ -2,16 +2,16 @@
 
 #include <deal.II/dofs/dof_tools.h>
 
-#include <deal.II/fe/fe_q.h>
-
 namespace stickslip
 {
   template <int dim>
   DofLayout<dim>::DofLayout(
     const parallel::DistributedTriangulationBase<dim> &triangulation,
     const unsigned int                                 degree)
-    : mapping(degree)
-    , fe(FE_Q<dim>(degree), dim)
+    : cells(reference_cell_of(triangulation))
+    , owned_mapping(make_mapping<dim>(cells, degree))
+    , mapping(*owned_mapping)
+    , fe(*make_element<dim>(cells, degree), dim)
     , dof_handler(triangulation)
   {
     dof_handler.distribute_dofs(fe);

@@ -2,8 +2,6 @@
 
 #include <deal.II/dofs/dof_tools.h>
 
-#include <deal.II/fe/fe_q.h>
-
 #include <cmath>
 #include <map>
 #include <vector>
@@ -14,7 +12,7 @@ namespace stickslip
   LinearSpace<dim>::LinearSpace(const DofLayout<dim> &fine,
                                 const MPI_Comm       &communicator)
     : fine(fine)
-    , fe(FE_Q<dim>(1), dim)
+    , fe(*make_element<dim>(fine.cells, 1), dim)
     , dof_handler(fine.dof_handler.get_triangulation())
     , communicator(communicator)
   {

@@ -78,6 +78,19 @@ namespace stickslip
 
 
 
+    /// The same of a triangle or tetrahedron, at least: dim! of them make up a
+    /// cell of Q_p, with the same nodes.
+    double
+    matrix_bytes_per_simplex(const unsigned int dim, const unsigned int p)
+    {
+      const double rows =
+        dim * std::pow(1. * p, 1. * dim) / (dim == 2 ? 2. : 6.);
+      const double entries = dim * std::pow(1. + p, 1. * dim);
+      return 12. * rows * entries;
+    }
+
+
+
     /// All values of the members of the list @p section, without subsections
     /// (Regularization does not change what is solved).
     void
@@ -158,8 +171,9 @@ namespace stickslip
     output.pair_names = names_of_pairs(contact_pairs);
     add_parameters(prm);
     file.apply_to(prm);
-    mesh.input_directory = file.directory();
-    mesh.bytes_per_cell  = matrix_bytes_per_cell(dimension, degree);
+    mesh.input_directory   = file.directory();
+    mesh.bytes_per_cell    = matrix_bytes_per_cell(dimension, degree);
+    mesh.bytes_per_simplex = matrix_bytes_per_simplex(dimension, degree);
     check();
     const DeclaredSection all = declared_parameters(prm);
     if (!materials.empty())

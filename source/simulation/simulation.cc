@@ -5,6 +5,7 @@
 #include <stickslip/base/user_error.h>
 
 #include <stickslip/contact/results/contact_results.h>
+#include <stickslip/solid/volumetric_locking.h>
 
 #include <stickslip/simulation/checkpoint.h>
 #include <stickslip/simulation/final_results.h>
@@ -106,10 +107,13 @@ namespace stickslip
       continue_tables();
     prepare_run_files(parameters, start, communicator);
     log.open(start.goes_on);
-    for (const std::string &text : mesh.warnings)
-      warn(text);
-    for (const std::string &text : warnings.of_parameters())
-      warn(text);
+    for (const auto &list : {mesh.warnings,
+                             warnings_about_locking(parameters.materials,
+                                                    mesh.bodies,
+                                                    problem.layout().fe),
+                             warnings.of_parameters()})
+      for (const std::string &text : list)
+        warn(text);
     if (start.checkpoint.empty())
       return;
     log.note("continues from " + start.checkpoint);

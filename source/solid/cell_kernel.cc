@@ -166,21 +166,23 @@ namespace stickslip
             A[i][J][k][L] = dP_dF[i][J][k][L] * JxW;
 
     // Loops of a length that the compiler knows are faster.
-    constexpr unsigned int linear    = Utilities::pow(2, dim);
-    constexpr unsigned int quadratic = Utilities::pow(3, dim);
-    const double          *G         = gradients.data();
+    constexpr unsigned int linear            = Utilities::pow(2, dim);
+    constexpr unsigned int quadratic         = Utilities::pow(3, dim);
+    constexpr unsigned int quadratic_simplex = (dim + 1) * (dim + 2) / 2;
+    const double          *G                 = gradients.data();
+    const auto             add               = [&](const auto length) {
+      add_products<dim>(length, G, A, stiffness.data());
+    };
     if (n_nodes == linear)
-      add_products<dim>(std::integral_constant<unsigned int, linear>(),
-                        G,
-                        A,
-                        stiffness.data());
+      add(std::integral_constant<unsigned int, linear>());
     else if (n_nodes == quadratic)
-      add_products<dim>(std::integral_constant<unsigned int, quadratic>(),
-                        G,
-                        A,
-                        stiffness.data());
+      add(std::integral_constant<unsigned int, quadratic>());
+    else if (n_nodes == dim + 1)
+      add(std::integral_constant<unsigned int, dim + 1>());
+    else if (n_nodes == quadratic_simplex)
+      add(std::integral_constant<unsigned int, quadratic_simplex>());
     else
-      add_products<dim>(n_nodes, G, A, stiffness.data());
+      add(n_nodes);
   }
 
 

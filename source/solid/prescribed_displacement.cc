@@ -1,7 +1,8 @@
 #include <stickslip/solid/prescribed_displacement.h>
 
+#include <stickslip/mesh/reference_cells.h>
+
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
 
 #include <deal.II/fe/fe_values.h>
 
@@ -36,7 +37,9 @@ namespace stickslip
                       update_quadrature_points)
         , face_values(mapping,
                       scalar_fe,
-                      QGauss<dim - 1>(2),
+                      gauss_quadrature<dim - 1>(faces_of<dim>(
+                                                  scalar_fe.reference_cell()),
+                                                2),
                       update_normal_vectors)
         , dof_indices(dof_handler.get_fe().n_dofs_per_cell())
       {}
@@ -167,7 +170,7 @@ namespace stickslip
       const Tensor<1, dim> normal =
         is_symmetry ? face_normal(cell, face, condition) : Tensor<1, dim>();
       for (unsigned int a = 0; a < scalar_fe.n_dofs_per_cell(); ++a)
-        if (scalar_fe.has_support_on_face(a, face))
+        if (has_node_on_face(scalar_fe, a, face))
           hold_node(cell, a, condition, is_symmetry ? &normal : nullptr);
     }
 

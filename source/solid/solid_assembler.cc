@@ -1,6 +1,7 @@
 #include <stickslip/solid/solid_assembler.h>
 
 #include <stickslip/base/user_error.h>
+#include <stickslip/mesh/reference_cells.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -21,7 +22,9 @@ namespace stickslip
     , bodies(bodies)
     , laws(laws)
     , mean_dilatation(laws.size())
-    , quadrature(dof_handler.get_fe().degree + 1)
+    , quadrature(
+        stickslip::cell_quadrature<dim>(dof_handler.get_fe().reference_cell(),
+                                        dof_handler.get_fe().degree))
     , material_states(mapping,
                       dof_handler,
                       quadrature,

@@ -1,17 +1,20 @@
 #include <stickslip/solid/surface_loads.h>
 
+#include <stickslip/mesh/reference_cells.h>
+
 namespace stickslip
 {
   template <int dim>
   SurfaceLoads<dim>::SurfaceLoads(const Mapping<dim>           &mapping,
                                   const FiniteElement<dim>     &fe,
                                   const std::vector<Load<dim>> &loads)
-    : fe_face_values(mapping,
-                     fe.base_element(0),
-                     QGauss<dim - 1>(fe.degree + 1),
-                     update_values | update_gradients |
-                       update_quadrature_points | update_normal_vectors |
-                       update_JxW_values)
+    : fe_face_values(
+        mapping,
+        fe.base_element(0),
+        gauss_quadrature<dim - 1>(faces_of<dim>(fe.reference_cell()),
+                                  fe.degree + 1),
+        update_values | update_gradients | update_quadrature_points |
+          update_normal_vectors | update_JxW_values)
   {
     for (const Load<dim> &load : loads)
       for (const types::boundary_id id : load.boundary_ids)

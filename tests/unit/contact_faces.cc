@@ -104,12 +104,16 @@ namespace
              const unsigned int order,
              const unsigned int multiplier_degree)
   {
-    const auto line =
-      contact_quadrature<1>(rule, order, multiplier_degree, "Contact/pair");
-    const auto square =
-      contact_quadrature<2>(rule, order, multiplier_degree, "Contact/pair");
-    bool     is_positive = true;
-    unsigned exact       = 0;
+    const auto line        = contact_quadrature(rule,
+                                         order,
+                                         FaceShape<2>(multiplier_degree),
+                                         "Contact/pair");
+    const auto square      = contact_quadrature(rule,
+                                           order,
+                                           FaceShape<3>(multiplier_degree),
+                                           "Contact/pair");
+    bool       is_positive = true;
+    unsigned   exact       = 0;
     for (unsigned int k = 0; k < 40; ++k, ++exact)
       {
         double moment = 0.;
@@ -161,7 +165,7 @@ namespace
     for (const auto &[rule, order] : wrong)
       try
         {
-          contact_quadrature<2>(rule, order, 1, "Contact/pair");
+          contact_quadrature(rule, order, FaceShape<3>(1), "Contact/pair");
           print(name_of(rule, all_contact_rules()) + ": no error");
         }
       catch (const UserError &error)

@@ -32,6 +32,7 @@ namespace
     bool         held_master   = false;      // its surface does not move
     std::string  weighting     = "standard"; // of segments
     unsigned int order         = 0;          // of segments
+    bool         simplices     = false;
   };
 
 
@@ -50,7 +51,7 @@ namespace
   /// hangs over on one side.
   template <int dim>
   Mesh<dim>
-  make_mesh(const bool hanging_nodes)
+  make_mesh(const bool hanging_nodes, const bool simplices)
   {
     BodyParameters upper, lower;
     upper.generator = lower.generator = "subdivided_hyper_rectangle";
@@ -68,6 +69,7 @@ namespace
         lower.coordinates = "x; y + 0.05*y*sin(3*x + 2*z); z";
         upper.coordinates = "x + 0.05*z; y + 0.05*sin(3*x + 2*z); z";
       }
+    upper.simplices = lower.simplices = simplices;
     upper.material = lower.material = "rubber";
     Mesh<dim> mesh                  = build_mesh<dim>(MeshParameters(),
                                      {{"upper", upper}, {"lower", lower}},
@@ -311,7 +313,7 @@ namespace
   void
   test_case(const Case &c)
   {
-    Mesh<dim> mesh = make_mesh<dim>(c.hanging_nodes);
+    Mesh<dim> mesh = make_mesh<dim>(c.hanging_nodes, c.simplices);
     NamedList<BoundaryConditionParameters> conditions;
     if (c.held_master)
       {
@@ -348,8 +350,9 @@ namespace
     LA::BlockVector v_free = v;
     restrict_to(free, v_free);
 
-    const std::string name =
-      std::to_string(dim) + "D Q" + std::to_string(c.degree) + " " + c.name;
+    const std::string name = std::to_string(dim) +
+                             (c.simplices ? "D P" : "D Q") +
+                             std::to_string(c.degree) + " " + c.name;
     double       worst = 0.;
     const double h     = 2e-6;
     for (unsigned int combination = 0; combination < 8; ++combination)
@@ -449,6 +452,32 @@ namespace
 
 
 
+  /// Triangles and tetrahedra.
+  template <int dim>
+  void
+  test_simplices()
+  {
+    for (const unsigned int degree : {1, 2})
+      {
+        const auto test = [degree](const std::string &normals,
+                                   const std::string &quadrature) {
+          Case c{normals + " " + quadrature, degree, normals, quadrature};
+          c.space     = dim == 3 && degree == 2 ? "vertices" : "automatic";
+          c.order     = quadrature == "segments" ? (dim == 2 ? 8 : 7) : 3;
+          c.weighting = "dual";
+          c.simplices = true;
+          test_case<dim>(c);
+        };
+        if (dim == 2 || degree == 1)
+          test("smoothed", "nodal");
+        test("facet", "Gauss");
+        test("smoothed", "Gauss");
+        test("smoothed", "segments");
+      }
+  }
+
+
+
   template <int dim>
   void
   test_all()
@@ -494,4 +523,6 @@ main(int argc, char **argv)
   Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_all<2>();
   test_all<3>();
+  test_simplices<2>();
+  test_simplices<3>();
 }

@@ -100,8 +100,8 @@ namespace
         const bool is_open = (f == n - 1);
 
         ContactFaceResult<dim> face;
-        face.pair                = 0;
-        face.nodes_per_direction = degree + 1;
+        face.pair   = 0;
+        face.degree = degree;
         for (unsigned int i = 0; i < nodes.size(); ++i)
           {
             Point<dim> x;

@@ -46,8 +46,8 @@ namespace
     for (unsigned int f = rank; f < n; f += n_ranks)
       {
         ContactFaceResult<dim> face;
-        face.pair                = 1;
-        face.nodes_per_direction = degree + 1;
+        face.pair   = 1;
+        face.degree = degree;
         for (unsigned int i = 0; i < nodes.size(); ++i)
           {
             Point<dim> x;

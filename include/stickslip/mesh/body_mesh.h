@@ -29,6 +29,7 @@ namespace stickslip
     Triangulation<dim>       triangulation;
     LabelledIds              boundaries;
     std::vector<std::string> materials;
+    std::vector<std::string> warnings; ///< for the user
     std::map<types::manifold_id, std::unique_ptr<Manifold<dim, dim>>> manifolds;
   };
 

@@ -28,6 +28,7 @@ namespace stickslip
     MeshFormat   mesh_format = MeshFormat::automatic;
     std::string  coordinates; ///< expressions "fx; fy; fz"
     unsigned int refinements = 0;
+    bool         simplices   = false;
 
     std::vector<double> scale           = {1.};
     std::vector<double> rotation_axis   = {0., 0., 1.};

@@ -15,7 +15,7 @@ namespace stickslip
   class FreeFaces
   {
   public:
-    /// @p cells are quadrilaterals or hexahedra. Throws UserError that begins
+    /// @p cells are of one kind. Throws UserError that begins
     /// with @p where if three cells share a face.
     FreeFaces(const MeshFile                 &file,
               const std::vector<std::size_t> &cells,
@@ -28,7 +28,7 @@ namespace stickslip
     }
 
     /// Index of the free face with the vertices of @p element, a line or a
-    /// quadrilateral; size() if there is none.
+    /// polygon; size() if there is none.
     std::size_t
     find(const MeshFile &file, const std::size_t element) const;
 
@@ -44,8 +44,11 @@ namespace stickslip
     }
 
   private:
-    static constexpr unsigned int n_vertices = 1 << (dim - 1);
-    using Vertices = std::array<unsigned int, n_vertices>;
+    /// Triangles have the largest number at the end.
+    using Vertices = std::array<unsigned int, 1 << (dim - 1)>;
+
+    static Vertices
+    sorted_vertices(const std::vector<unsigned int> &vertices);
 
     struct Face
     {

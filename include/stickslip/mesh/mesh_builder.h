@@ -28,7 +28,8 @@ namespace stickslip
    * Makes the bodies in the order of @p body_parameters, joins them without
    * gluing coinciding vertices, distributes the result and refines it globally.
    * "p4est" gives a parallel::distributed::Triangulation, which can be refined
-   * further; "METIS" a parallel::fullydistributed::Triangulation, which cannot.
+   * further; "METIS" a parallel::fullydistributed::Triangulation, which cannot,
+   * and is taken for triangles and tetrahedra whatever the parameter says.
    * A face on one of the @p costly_surfaces counts as `Contact weight` cells
    * when the cells are distributed.
    *

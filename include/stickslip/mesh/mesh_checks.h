@@ -15,8 +15,9 @@ namespace stickslip
   std::string
   coordinates_in_message(const Point<dim> &point);
 
-  /// Throws UserError if @p triangulation has no cells or cells that are no
-  /// quadrilaterals or hexahedra. @p path names the culprit.
+  /// Throws UserError if @p triangulation has no cells or cells that are not
+  /// all quadrilaterals (hexahedra) or all triangles (tetrahedra). @p path names
+  /// the culprit.
   template <int dim>
   void
   check_cell_types(const Triangulation<dim> &triangulation,

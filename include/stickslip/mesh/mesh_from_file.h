@@ -17,13 +17,16 @@ namespace stickslip
    * @p boundaries and @p materials. A node set marks the boundary faces whose
    * vertices are all in it, unless all vertices of the body are.
    *
+   * Of triangles and tetrahedra of higher order the vertices are taken: their
+   * sides become straight.
+   *
    * The same on each rank. Throws UserError that begins with @p where (file
-   * and parameter) for unknown groups, cells that are no quadrilaterals or
-   * hexahedra of the first order, cells that overlap, a 2D mesh that is
-   * not plane. @p path is the body's subsection.
+   * and parameter) for unknown groups, cells that cannot be used, cells that
+   * overlap, a 2D mesh that is not plane. @p path is the body's subsection.
+   * Returns a warning, "" if there is none.
    */
   template <int dim>
-  void
+  std::string
   make_triangulation(const MeshFile                 &file,
                      const std::vector<std::string> &groups,
                      const std::string              &where,

@@ -35,7 +35,8 @@ namespace stickslip
     std::string input_directory;
 
     /// What is made of each cell beside the mesh (set by the caller) [byte].
-    double bytes_per_cell = 0.;
+    double bytes_per_cell    = 0.;
+    double bytes_per_simplex = 0.; ///< of each triangle or tetrahedron
 
     void
     add_parameters(ParameterHandler &prm);

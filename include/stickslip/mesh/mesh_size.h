@@ -17,11 +17,8 @@ namespace stickslip
   class MeshSize
   {
   public:
-    /// @p bytes_per_cell is what the caller needs beside the mesh. Asks each
-    /// node for its free memory: collective.
-    MeshSize(const unsigned int dim,
-             const double       bytes_per_cell,
-             const MPI_Comm     communicator);
+    /// Asks each node for its free memory: collective.
+    MeshSize(const unsigned int dim, const MPI_Comm communicator);
 
     /// Cells that every rank holds: those of a body before it is distributed.
     /// Throws UserError that begins with "@p path: @p what".
@@ -38,10 +35,12 @@ namespace stickslip
                              const std::string &path) const;
 
     /// For refinements of the distributed mesh of @p n_cells coarse cells.
+    /// @p bytes_per_cell is what the caller needs beside the mesh.
     /// @p on_one_rank: one rank holds the refined mesh for a while.
     void
     check_refinements(const double       n_cells,
                       const unsigned int n_refinements,
+                      const double       bytes_per_cell,
                       const bool         on_one_rank,
                       const std::string &path) const;
 
@@ -52,7 +51,6 @@ namespace stickslip
 
   private:
     const unsigned int dim;
-    const double       bytes_per_cell;
 
     double free_per_rank = 0.; ///< [byte], the least of all ranks
     double free_in_all   = 0.; ///< [byte], over all nodes

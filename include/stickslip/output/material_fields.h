@@ -17,7 +17,7 @@ namespace stickslip
 {
   /**
    * Stress, strain and history of the material at the points of
-   * QGauss(k+1), k the degree of the displacement, as the writers want them.
+   * cell_quadrature(), as the writers want them.
    */
   template <int dim>
   struct MaterialFields

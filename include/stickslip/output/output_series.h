@@ -39,6 +39,7 @@ namespace stickslip
      * Writes the patches of @p data as step @p step. Collective; throws
      * UserError on all ranks if the files cannot be written.
      *
+     * @p cell is what all patches are.
      * @p has_lagrange_hexahedra: the VTU files contain hexahedra of degree 2
      * or more. Each rank then writes its own file, because VTK's reader, which
      * renumbers the nodes of such cells, does so repeatedly for the parts of a
@@ -49,7 +50,8 @@ namespace stickslip
     write(const DataOutInterface<dim, spacedim> &data,
           const unsigned int                     step,
           const double                           time,
-          const bool has_lagrange_hexahedra = false);
+          const ReferenceCell &cell = ReferenceCells::get_hypercube<dim>(),
+          const bool           has_lagrange_hexahedra = false);
 
   private:
     /// What the index file says about one step.
@@ -74,6 +76,7 @@ namespace stickslip
     write_hdf5(const DataOutInterface<dim, spacedim> &data,
                const std::string                     &step_name,
                const double                           time,
+               const ReferenceCell                   &cell,
                std::string                           &grid) const;
 
     std::string

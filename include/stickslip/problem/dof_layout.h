@@ -2,6 +2,7 @@
 #define stickslip_problem_dof_layout_h
 
 #include <stickslip/base/types.h>
+#include <stickslip/mesh/reference_cells.h>
 
 #include <deal.II/base/index_set.h>
 
@@ -10,14 +11,16 @@
 #include <deal.II/dofs/dof_handler.h>
 
 #include <deal.II/fe/fe_system.h>
-#include <deal.II/fe/mapping_q.h>
+#include <deal.II/fe/mapping.h>
+
+#include <memory>
 
 namespace stickslip
 {
   /**
-   * The displacement space: FE_Q(degree)^dim on an isoparametric mapping. Its
-   * support points are the nodes of the geometry, which the contact faces rely
-   * on.
+   * The displacement space: FE_Q(degree)^dim on an isoparametric mapping, or
+   * FE_SimplexP(degree)^dim on straight cells. Its support points are the nodes
+   * of the geometry, which the contact faces rely on.
    */
   template <int dim>
   class DofLayout
@@ -26,7 +29,13 @@ namespace stickslip
     DofLayout(const parallel::DistributedTriangulationBase<dim> &triangulation,
               const unsigned int                                 degree);
 
-    const MappingQ<dim> mapping;
+    const ReferenceCell cells; ///< of all bodies
+
+  private:
+    const std::unique_ptr<const Mapping<dim>> owned_mapping;
+
+  public:
+    const Mapping<dim> &mapping;
     const FESystem<dim> fe;
     DoFHandler<dim>     dof_handler;
     IndexSet            owned;

@@ -17,7 +17,7 @@
 #include <stickslip/solid/surface_loads.h>
 #include <stickslip/solid/viscous_stabilization.h>
 
-#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/quadrature.h>
 
 #include <deal.II/dofs/dof_handler.h>
 
@@ -38,9 +38,9 @@ namespace stickslip
    *   R_u(v) = int P : Grad v  +  springs  -  (tractions, pressures, body
    * forces)
    *
-   * with Gauss(degree + 1) in the reference cells. Works with any FESystem of
-   * dim equal FE_Q. Cells of rigid bodies are skipped, and those of linear laws
-   * are evaluated once.
+   * with cell_quadrature() in the reference cells. Works with any FESystem of
+   * dim equal FE_Q or FE_SimplexP. Cells of rigid bodies are skipped, and those
+   * of linear laws are evaluated once.
    */
   template <int dim>
   class SolidAssembler
@@ -223,7 +223,7 @@ namespace stickslip
     /// By material id; empty where the dilatation is that of the point.
     std::vector<std::optional<MeanDilatation<dim>>> mean_dilatation;
 
-    const QGauss<dim>         quadrature;
+    const Quadrature<dim>     quadrature;
     PointHistory              history;
     MaterialStates<dim>       material_states;
     SurfaceLoads<dim>         surface_loads;

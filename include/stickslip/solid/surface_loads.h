@@ -6,8 +6,6 @@
 #include <stickslip/solid/cell_kernel.h>
 #include <stickslip/solid/load.h>
 
-#include <deal.II/base/quadrature_lib.h>
-
 #include <deal.II/dofs/dof_handler.h>
 
 #include <deal.II/fe/fe_values.h>

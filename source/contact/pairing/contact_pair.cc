@@ -1,8 +1,10 @@
 #include <stickslip/contact/pairing/contact_pair.h>
 
 #include <stickslip/base/user_error.h>
+#include <stickslip/mesh/reference_cells.h>
 
 #include <stickslip/contact/point/contact_points.h>
+#include <stickslip/contact/point/multiplier_shape.h>
 #include <stickslip/contact/surface/contact_quadrature.h>
 #include <stickslip/contact/surface/excluded_nodes.h>
 
@@ -53,10 +55,10 @@ namespace stickslip
     const MPI_Comm                                        &communicator)
     : parameters(parameters)
     , name(name)
-    , displacement_shape(dof_handler.get_fe().degree)
-    , multiplier_shape(parameters.multiplier_space == MultiplierSpace::vertices
-                         ? 1
-                         : dof_handler.get_fe().degree)
+    , displacement_shape(dof_handler.get_fe().degree,
+                         faces_of<dim>(dof_handler.get_fe().reference_cell()))
+    , multiplier_shape(
+        make_multiplier_shape(parameters, displacement_shape, path_of(name)))
     , gap_offset(parameters.gap_offset, 1, path_of(name) + "/Gap offset")
     , communicator(communicator)
   {
@@ -113,12 +115,12 @@ namespace stickslip
                                     dof_handler,
                                     communicator);
     const Quadrature<dim - 1> quadrature =
-      contact_quadrature<dim - 1>(parameters.quadrature,
-                                  parameters.quadrature_order,
-                                  multiplier_shape.degree(),
-                                  path_of(name));
+      contact_quadrature(parameters.quadrature,
+                         parameters.quadrature_order,
+                         multiplier_shape,
+                         path_of(name));
     check_multipliers_are_determined(quadrature,
-                                     multiplier_shape.degree(),
+                                     multiplier_shape,
                                      path_of(name));
     table =
       SlaveShapeTable<dim>(displacement_shape, multiplier_shape, quadrature);

@@ -323,9 +323,9 @@ namespace stickslip
             evaluate_master_point(
               faces[f], current[f], shape, projection.xi, point);
             Pairing<dim> frame = last;
-            frame.free.fill(true);
-            frame.xi = projection.xi;
-            frame.n  = point.n;
+            frame.free         = everywhere<dim>();
+            frame.xi           = projection.xi;
+            frame.n            = point.n;
             if (frame.n * slave_normal > least_facing_to_keep)
               return frame;
           }

@@ -1,8 +1,8 @@
 #include <stickslip/contact/pairing/mortar_surface.h>
 
-#include <stickslip/contact/pairing/symmetry_planes.h>
+#include <stickslip/mesh/reference_cells.h>
 
-#include <deal.II/base/quadrature_lib.h>
+#include <stickslip/contact/pairing/symmetry_planes.h>
 
 #include <algorithm>
 #include <map>
@@ -161,8 +161,10 @@ namespace stickslip
     const WeightingFunctions                 kind,
     const std::set<types::global_dof_index> &excluded)
   {
-    const QGauss<dim - 1>            quadrature(multiplier_shape.degree() +
-                                     displacement_shape.degree() + 1);
+    const auto quadrature =
+      gauss_quadrature<dim - 1>(displacement_shape.reference_cell(),
+                                multiplier_shape.degree() +
+                                  displacement_shape.degree() + 1);
     std::vector<std::vector<double>> weights; // [face][l]
     FaceShapeValues<dim>             values;
     std::vector<double>              L;
@@ -321,7 +323,7 @@ namespace stickslip
     pairing.face = averages[i].main_master;
     pairing.n    = current->frames[i].n;
     pairing.tau  = current->frames[i].tau;
-    pairing.free.fill(true);
+    pairing.free = everywhere<dim>();
     return pairing;
   }
 

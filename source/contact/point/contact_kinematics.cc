@@ -117,22 +117,30 @@ namespace stickslip
     void
     edge_xi_derivative(
       const MasterPoint<dim>                                         &master,
-      const std::array<bool, dim - 1>                                &free,
+      const EdgeMotion<dim>                                          &free,
       const Tensor<1, dim>                                           &r,
       std::array<typename GeneralizedCoordinates<dim>::Row, dim - 1> &D_xi)
     {
       using G = GeneralizedCoordinates<dim>;
+      // tangent and curvature of the edge
+      Tensor<1, dim> a, curvature;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        {
+          a += free[d] * master.a[d];
+          for (unsigned int e = 0; e < dim - 1; ++e)
+            curvature += free[d] * free[e] * master.x_ab[d][e];
+        }
+      const double slope = a * a - r * curvature;
       for (unsigned int d = 0; d < dim - 1; ++d)
         {
           D_xi[d].fill(0.);
-          if (!free[d])
+          if (free[d] == 0)
             continue;
-          const double slope =
-            master.a[d] * master.a[d] - r * master.x_ab[d][d];
           for (unsigned int i = 0; i < dim; ++i)
             {
-              D_xi[d][G::W + i]           = master.a[d][i] / slope;
-              D_xi[d][G::C + d * dim + i] = r[i] / slope;
+              D_xi[d][G::W + i] = free[d] * a[i] / slope;
+              for (unsigned int e = 0; e < dim - 1; ++e)
+                D_xi[d][G::C + e * dim + i] = free[d] * free[e] * r[i] / slope;
             }
         }
     }

@@ -68,6 +68,7 @@ namespace stickslip
   all_multiplier_spaces()
   {
     static const Choices<MultiplierSpace> choices = {
+      {"automatic", MultiplierSpace::automatic},
       {"displacement trace", MultiplierSpace::displacement_trace},
       {"vertices", MultiplierSpace::vertices}};
     return choices;
@@ -270,7 +271,10 @@ namespace stickslip
                all_multiplier_spaces(),
                expert("Multipliers on the slave faces: of the degree of the "
                       "displacement, or linear with nodes at the vertices (the "
-                      "P2-P1 element if the displacement degree is 2)."));
+                      "P2-P1 element if the displacement degree is 2). "
+                      "automatic: vertices on tetrahedra of degree 2, whose "
+                      "faces have nodal weights of zero at the vertices, and "
+                      "the displacement trace on all other cells."));
     add_choice(prm,
                "Quadrature",
                quadrature,

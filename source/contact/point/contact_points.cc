@@ -147,6 +147,8 @@ namespace stickslip
                     const FaceShape<dim> &multiplier_shape,
                     const unsigned int    l)
   {
+    if (displacement_shape.is_triangle())
+      return l; // vertices come first
     const unsigned int n      = displacement_shape.degree() + 1;
     const unsigned int m      = multiplier_shape.degree() + 1;
     const unsigned int stride = (n - 1) / (m - 1);

@@ -108,8 +108,9 @@ namespace stickslip
         for (unsigned int f = 0; f < pair.slave_faces.size(); ++f)
           {
             ContactFaceResult<dim> face;
-            face.pair                = p;
-            face.nodes_per_direction = pair.displacement_shape.degree() + 1;
+            face.pair   = p;
+            face.degree = pair.displacement_shape.degree();
+            face.cell   = pair.displacement_shape.reference_cell();
             face.reference_positions =
               pair.slave_faces[f].face.reference_positions;
             const auto &positions = pair.slave_positions(f);

@@ -1,10 +1,10 @@
 #include <stickslip/contact/surface/contact_quadrature.h>
 
 #include <stickslip/base/user_error.h>
+#include <stickslip/mesh/reference_cells.h>
 
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/base/utilities.h>
 
 #include <vector>
 
@@ -41,6 +41,38 @@ namespace stickslip
                         "/Quadrature order = " + std::to_string(order) +
                         "' is not available. Allowed: " + allowed + ".");
     }
+
+
+
+    Quadrature<2>
+    quadrature_on_triangles(const ContactRule   rule,
+                            const unsigned int  order,
+                            const FaceShape<3> &multiplier_shape,
+                            const std::string  &path)
+    {
+      const unsigned int n = multiplier_shape.n_nodes();
+      switch (rule)
+        {
+          case ContactRule::nodal:
+          case ContactRule::segments:
+            {
+              Assert(multiplier_shape.degree() == 1, ExcNotImplemented());
+              std::vector<Point<2>> vertices;
+              for (unsigned int j = 0; j < n; ++j)
+                vertices.push_back(multiplier_shape.node(j));
+              return {vertices, std::vector<double>(n, 0.5 / n)};
+            }
+          case ContactRule::Gauss:
+            check_order(order >= 1 && order <= 4, order, "1 to 4", path);
+            return gauss_quadrature<2>(multiplier_shape.reference_cell(),
+                                       order);
+          default:
+            throw UserError("'" + path + "/Quadrature = " +
+                            name_of(rule, all_contact_rules()) +
+                            "' is not available on tetrahedra. Allowed: "
+                            "segments, nodal, Gauss.");
+        }
+    }
   } // namespace
 
 
@@ -59,18 +91,22 @@ namespace stickslip
 
 
 
-  template <int facedim>
-  Quadrature<facedim>
-  contact_quadrature(const ContactRule  rule,
-                     const unsigned int order,
-                     const unsigned int multiplier_degree,
-                     const std::string &path)
+  template <int dim>
+  Quadrature<dim - 1>
+  contact_quadrature(const ContactRule     rule,
+                     const unsigned int    order,
+                     const FaceShape<dim> &multiplier_shape,
+                     const std::string    &path)
   {
+    constexpr int facedim = dim - 1;
+    if constexpr (dim == 3)
+      if (multiplier_shape.is_triangle())
+        return quadrature_on_triangles(rule, order, multiplier_shape, path);
     switch (rule)
       {
         case ContactRule::nodal:
         case ContactRule::segments:
-          return QGaussLobatto<facedim>(multiplier_degree + 1);
+          return QGaussLobatto<facedim>(multiplier_shape.degree() + 1);
         case ContactRule::Gauss:
           check_order(order >= 1 && order <= 20, order, "1 to 20", path);
           return QGauss<facedim>(order);
@@ -87,13 +123,13 @@ namespace stickslip
     throw ExcInternalError();
   }
 
-  template <int facedim>
+  template <int dim>
   void
-  check_multipliers_are_determined(const Quadrature<facedim> &quadrature,
-                                   const unsigned int         multiplier_degree,
+  check_multipliers_are_determined(const Quadrature<dim - 1> &quadrature,
+                                   const FaceShape<dim>      &multiplier_shape,
                                    const std::string         &path)
   {
-    const auto needed = Utilities::pow(multiplier_degree + 1, facedim);
+    const unsigned int needed = multiplier_shape.n_nodes();
     if (quadrature.size() >= needed)
       return;
     throw UserError(
@@ -108,20 +144,20 @@ namespace stickslip
 
   template void
   check_multipliers_are_determined(const Quadrature<1> &,
-                                   const unsigned int,
+                                   const FaceShape<2> &,
                                    const std::string &);
   template void
   check_multipliers_are_determined(const Quadrature<2> &,
-                                   const unsigned int,
+                                   const FaceShape<3> &,
                                    const std::string &);
   template Quadrature<1>
   contact_quadrature(const ContactRule,
                      const unsigned int,
-                     const unsigned int,
+                     const FaceShape<2> &,
                      const std::string &);
   template Quadrature<2>
   contact_quadrature(const ContactRule,
                      const unsigned int,
-                     const unsigned int,
+                     const FaceShape<3> &,
                      const std::string &);
 } // namespace stickslip

@@ -1,8 +1,11 @@
 #include <stickslip/contact/surface/face_shape.h>
 
+#include <stickslip/contact/surface/triangle_shape.h>
+
 #include <deal.II/base/quadrature_lib.h>
 
 #include <array>
+#include <cmath>
 
 namespace stickslip
 {
@@ -15,24 +18,29 @@ namespace stickslip
 
 
   template <int dim>
-  FaceShape<dim>::FaceShape(const unsigned int degree)
-    : n_1d(degree + 1)
+  FaceShape<dim>::FaceShape(const unsigned int   degree,
+                            const ReferenceCell &face)
+    : face(face)
+    , n_1d(degree + 1)
   {
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      middle[d] = is_triangle() ? 1. / 3. : 0.5;
+    if constexpr (dim == 3)
+      if (is_triangle())
+        nodes = triangle_nodes(degree);
     Assert(n_1d <= max_nodes_1d, ExcIndexRange(n_1d, 2, max_nodes_1d + 1));
     const std::vector<Point<1>> nodes_1d = QGaussLobatto<1>(n_1d).get_points();
     basis = Polynomials::generate_complete_Lagrange_basis(nodes_1d);
-    for (unsigned int j = 0; j < n_nodes(); ++j)
-      {
-        Point<dim - 1> node;
-        for (unsigned int d = 0, rest = j; d < dim - 1; ++d, rest /= n_1d)
-          node[d] = nodes_1d[rest % n_1d][0];
-        nodes.push_back(node);
-      }
+    if (!is_triangle())
+      for (unsigned int j = 0; j < (dim == 2 ? n_1d : n_1d * n_1d); ++j)
+        {
+          Point<dim - 1> node;
+          for (unsigned int d = 0, rest = j; d < dim - 1; ++d, rest /= n_1d)
+            node[d] = nodes_1d[rest % n_1d][0];
+          nodes.push_back(node);
+        }
 
-    Point<dim - 1> centre;
-    for (unsigned int d = 0; d < dim - 1; ++d)
-      centre[d] = 0.5;
-    evaluate(centre, centre_values);
+    evaluate(middle, centre_values);
     node_values.resize(n_nodes());
     for (unsigned int j = 0; j < n_nodes(); ++j)
       evaluate(nodes[j], node_values[j]);
@@ -53,7 +61,7 @@ namespace stickslip
   unsigned int
   FaceShape<dim>::n_nodes() const
   {
-    return dim == 2 ? n_1d : n_1d * n_1d;
+    return nodes.size();
   }
 
 
@@ -68,10 +76,25 @@ namespace stickslip
 
 
   template <int dim>
+  double
+  FaceShape<dim>::distance(const unsigned int j, const unsigned int k) const
+  {
+    if (!is_triangle())
+      return nodes[j].distance(nodes[k]);
+    const Tensor<1, dim - 1> way = nodes[j] - nodes[k];
+    return std::sqrt(way.norm_square() + way[0] * way[dim - 2]);
+  }
+
+
+
+  template <int dim>
   void
   FaceShape<dim>::evaluate_values(const Point<dim - 1> &xi,
                                   std::vector<double>  &value) const
   {
+    if constexpr (dim == 3)
+      if (is_triangle())
+        return evaluate_triangle_values(degree(), xi, value);
     value.assign(n_nodes(), 1.);
     for (unsigned int j = 0; j < n_nodes(); ++j)
       for (unsigned int d = 0, rest = j; d < dim - 1; ++d, rest /= n_1d)
@@ -84,6 +107,19 @@ namespace stickslip
   void
   FaceShape<dim>::evaluate(const Point<dim - 1> &xi,
                            FaceShapeValues<dim> &shape) const
+  {
+    if constexpr (dim == 3)
+      if (is_triangle())
+        return evaluate_triangle(degree(), xi, shape);
+    evaluate_product(xi, shape);
+  }
+
+
+
+  template <int dim>
+  void
+  FaceShape<dim>::evaluate_product(const Point<dim - 1> &xi,
+                                   FaceShapeValues<dim> &shape) const
   {
     // 1D values and two derivatives of every node along every direction
     std::array<std::array<std::array<double, 3>, dim - 1>, max_nodes_1d> p;

@@ -16,12 +16,13 @@ namespace stickslip
 
 
     /// Points per direction that are exact for products of two shape functions:
-    /// they have degree 2 p along a line, and 4 p in a plane.
+    /// they have degree 2 p along a line and on triangles, and 4 p in a plane.
     template <int dim>
     unsigned int
     exact_order(const FaceShape<dim> &shape)
     {
-      return dim == 2 ? shape.degree() + 1 : 2 * shape.degree() + 1;
+      return dim == 2 || shape.is_triangle() ? shape.degree() + 1
+                                             : 2 * shape.degree() + 1;
     }
 
 
@@ -40,17 +41,18 @@ namespace stickslip
 
 
 
-    /// True for intervals and parallelograms.
+    /// True for intervals, parallelograms and triangles.
     template <int facedim>
     bool
-    is_parallelogram(const ConvexCell<facedim> &cell)
+    is_affine(const ConvexCell<facedim> &cell)
     {
       constexpr double tolerance = 1e-9; // of a diagonal
       if constexpr (facedim == 1)
         return true;
       else
-        return ((cell[0] - cell[1]) + (cell[2] - cell[3])).norm() <
-               tolerance * (cell[2] - cell[0]).norm();
+        return cell.size() == 3 ||
+               ((cell[0] - cell[1]) + (cell[2] - cell[3])).norm() <
+                 tolerance * (cell[2] - cell[0]).norm();
     }
 
 
@@ -223,7 +225,8 @@ namespace stickslip
           const auto &cell  = slave.projected.cells[i];
           const auto &other = opposite.projected.cells[j];
           const auto &quadrature =
-            is_parallelogram<dim - 1>(cell) && is_parallelogram<dim - 1>(other)
+            is_affine<dim - 1>(cell) && is_affine<dim - 1>(other) &&
+                !(shape.is_triangle() && shape.degree() > 1)
               ? exact_rule
               : other_rule;
           const double smallest = negligible_segment * measure<dim - 1>(cell);

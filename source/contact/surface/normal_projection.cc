@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace stickslip
 {
@@ -23,25 +25,56 @@ namespace stickslip
 
     template <int dim>
     bool
-    is_outside(const Point<dim> &xi, const double margin)
+    is_outside(const FaceShape<dim> &shape,
+               const Point<dim - 1> &xi,
+               const double          margin)
     {
-      for (unsigned int d = 0; d < dim; ++d)
+      for (unsigned int d = 0; d < dim - 1; ++d)
         if (xi[d] < -margin || xi[d] > 1. + margin)
           return true;
-      return false;
+      return shape.is_triangle() && xi[0] + xi[dim - 2] > 1. + margin;
     }
 
 
 
-    /// The coordinate along an edge, free to move between its ends only.
-    template <int dim>
-    void
-    set_along(const double       xi,
-              const unsigned int along,
-              Projection<dim>   &projection)
+    /// An edge of a face in 3D: begin + s direction with s from 0 to 1.
+    struct Edge
     {
-      projection.xi[along]   = std::clamp(xi, 0., 1.);
-      projection.free[along] = xi > 0. && xi < 1.;
+      Point<2>      begin;
+      EdgeMotion<3> direction;
+
+      Point<2>
+      at(const double s) const
+      {
+        Point<2> xi = begin;
+        for (unsigned int d = 0; d < 2; ++d)
+          xi[d] += s * direction[d];
+        return xi;
+      }
+    };
+
+
+
+    const std::vector<Edge> &
+    edges_of(const FaceShape<3> &shape)
+    {
+      static const std::vector<Edge> square   = {{Point<2>(0., 0.), {{0, 1}}},
+                                                 {Point<2>(1., 0.), {{0, 1}}},
+                                                 {Point<2>(0., 0.), {{1, 0}}},
+                                                 {Point<2>(0., 1.), {{1, 0}}}};
+      static const std::vector<Edge> triangle = {{Point<2>(0., 0.), {{1, 0}}},
+                                                 {Point<2>(1., 0.), {{-1, 1}}},
+                                                 {Point<2>(0., 0.), {{0, 1}}}};
+      return shape.is_triangle() ? triangle : square;
+    }
+
+
+
+    /// The vertex at a corner of a linear face.
+    unsigned int
+    vertex_at(const Point<2> &corner)
+    {
+      return static_cast<unsigned int>(corner[0] + 2. * corner[1] + 0.5);
     }
 
 
@@ -74,32 +107,69 @@ namespace stickslip
 
 
 
-    /// Coordinate @p along of the point closest to @p x_s on a bent edge of a
-    /// face in 3D, whose other coordinate is that of @p xi.
+    /// The s of the point closest to @p x_s on a bent edge of a face in 3D.
     double
     closest_on_edge(const SurfaceFace<3>         &face,
                     const MasterConfiguration<3> &configuration,
                     const FaceShape<3>           &shape,
                     const Tensor<1, 3>           &x_s,
-                    Point<2>                      xi,
-                    const unsigned int            along)
+                    const Edge                   &edge)
     {
       MasterPoint<3> point;
-      xi[along] = 0.5;
+      double         s = 0.5;
       for (unsigned int iteration = 0; iteration < 30; ++iteration)
         {
-          evaluate_master_point(face, configuration, shape, xi, point);
+          evaluate_master_point(face, configuration, shape, edge.at(s), point);
           const Tensor<1, 3> r = x_s - point.x;
-          double             slope =
-            point.a[along] * point.a[along] - r * point.x_ab[along][along];
+          Tensor<1, 3>       a, curvature;
+          for (unsigned int d = 0; d < 2; ++d)
+            {
+              a += edge.direction[d] * point.a[d];
+              for (unsigned int e = 0; e < 2; ++e)
+                curvature +=
+                  edge.direction[d] * edge.direction[e] * point.x_ab[d][e];
+            }
+          double slope = a * a - r * curvature;
           if (slope <= 0.)
-            slope = point.a[along] * point.a[along];
-          const double step = (point.a[along] * r) / slope;
-          xi[along]         = std::clamp(xi[along] + step, -0.5, 1.5);
+            slope = a * a;
+          const double step = (a * r) / slope;
+          s                 = std::clamp(s + step, -0.5, 1.5);
           if (std::abs(step) < no_step)
             break;
         }
-      return xi[along];
+      return s;
+    }
+
+
+
+    /// The point closest to @p x_s on an edge of a face in 3D, and its position.
+    std::pair<Projection<3>, Tensor<1, 3>>
+    project_on_edge(const SurfaceFace<3>         &face,
+                    const MasterConfiguration<3> &configuration,
+                    const FaceShape<3>           &shape,
+                    const Tensor<1, 3>           &x_s,
+                    const Edge                   &edge)
+    {
+      Projection<3> projection;
+      const auto    set_place = [&](const double s) {
+        projection.xi = edge.at(std::clamp(s, 0., 1.));
+        if (s > 0. && s < 1.)
+          projection.free = edge.direction;
+      };
+      if (shape.degree() == 1)
+        {
+          const Tensor<1, 3> begin =
+            configuration.positions[vertex_at(edge.begin)];
+          const Tensor<1, 3> way =
+            configuration.positions[vertex_at(edge.at(1.))] - begin;
+          const double s = ((x_s - begin) * way) / way.norm_square();
+          set_place(s);
+          return {projection, begin + std::clamp(s, 0., 1.) * way};
+        }
+      set_place(closest_on_edge(face, configuration, shape, x_s, edge));
+      MasterPoint<3> point;
+      evaluate_master_point(face, configuration, shape, projection.xi, point);
+      return {projection, point.x};
     }
   } // namespace
 
@@ -115,8 +185,7 @@ namespace stickslip
   {
     Projection<dim>  projection;
     MasterPoint<dim> point;
-    for (unsigned int d = 0; d < dim - 1; ++d)
-      projection.xi[d] = 0.5;
+    projection.xi = shape.centre();
     double d_n = 0., roundoff = 0.;
     bool   converged = false;
     for (unsigned int iteration = 0; iteration < 30 && !converged; ++iteration)
@@ -149,7 +218,7 @@ namespace stickslip
           }
         d_n += step[dim - 1];
         if (largest < settled_step &&
-            is_outside(projection.xi, overlap + settled_step))
+            is_outside(shape, projection.xi, overlap + settled_step))
           return projection;
         converged = largest < no_step + roundoff ||
                     (iteration > usual_iterations &&
@@ -157,11 +226,11 @@ namespace stickslip
       }
     if (!converged)
       return projection;
-    if (is_outside(projection.xi, overlap))
+    if (is_outside(shape, projection.xi, overlap))
       return projection;
     evaluate_master_point(face, configuration, shape, projection.xi, point);
     projection.found = true;
-    projection.free.fill(true);
+    projection.free  = everywhere<dim>();
     finish_projection(point, x_s, projection);
     projection.overshoot = 0.;
     return projection;
@@ -185,35 +254,19 @@ namespace stickslip
         best = candidate;
     };
 
-    for (unsigned int fixed = 0; fixed < dim - 1; ++fixed)
+    if constexpr (dim == 2)
       for (const unsigned int side : {0, 1})
         {
           Projection<dim> candidate;
-          candidate.xi[fixed] = side;
-          if constexpr (dim == 2)
-            offer(candidate, configuration.positions[side * shape.degree()]);
-          else if (shape.degree() == 1)
-            {
-              const unsigned int   along = 1 - fixed;
-              const unsigned int   first = side << fixed;
-              const Tensor<1, dim> begin = configuration.positions[first];
-              const Tensor<1, dim> edge =
-                configuration.positions[first + (1 << along)] - begin;
-              set_along(((x_s - begin) * edge) / edge.norm_square(),
-                        along,
-                        candidate);
-              offer(candidate, begin + candidate.xi[along] * edge);
-            }
-          else
-            {
-              const unsigned int along = 1 - fixed;
-              candidate.xi[along]      = closest_on_edge(
-                face, configuration, shape, x_s, candidate.xi, along);
-              set_along(candidate.xi[along], along, candidate);
-              evaluate_master_point(
-                face, configuration, shape, candidate.xi, point);
-              offer(candidate, point.x);
-            }
+          candidate.xi[0] = side;
+          offer(candidate, configuration.positions[side * shape.degree()]);
+        }
+    else
+      for (const Edge &edge : edges_of(shape))
+        {
+          const auto [candidate, position] =
+            project_on_edge(face, configuration, shape, x_s, edge);
+          offer(candidate, position);
         }
     evaluate_master_point(face, configuration, shape, best.xi, point);
     finish_projection(point, x_s, best);

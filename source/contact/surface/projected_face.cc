@@ -26,10 +26,18 @@ namespace stickslip
     /// Numbers of the corner nodes of the cells between nodes of a face.
     template <int dim>
     std::vector<std::vector<unsigned int>>
-    cells_between_nodes(const unsigned int degree)
+    cells_between_nodes(const FaceShape<dim> &shape)
     {
+      if (shape.is_triangle())
+        return shape.degree() == 1
+                 ? std::vector<std::vector<unsigned int>>{{0, 1, 2}}
+                 : std::vector<std::vector<unsigned int>>{{0, 3, 5},
+                                                          {3, 1, 4},
+                                                          {5, 4, 2},
+                                                          {3, 4, 5}};
       std::vector<std::vector<unsigned int>> cells;
-      const unsigned int                     n = degree + 1;
+      const unsigned int                     degree = shape.degree();
+      const unsigned int                     n      = degree + 1;
       if constexpr (dim == 2)
         for (unsigned int i = 0; i < degree; ++i)
           cells.push_back({i, i + 1});
@@ -87,7 +95,7 @@ namespace stickslip
           face.low[d]  = std::min(face.low[d], p[d]);
           face.high[d] = std::max(face.high[d], p[d]);
         }
-    face.corners = cells_between_nodes<dim>(shape.degree());
+    face.corners = cells_between_nodes(shape);
     for (const auto &corners : face.corners)
       {
         face.cells.emplace_back();

@@ -1,6 +1,6 @@
 #include <stickslip/contact/surface/surface_face.h>
 
-#include <deal.II/base/quadrature_lib.h>
+#include <stickslip/mesh/reference_cells.h>
 
 #include <deal.II/fe/fe_values.h>
 
@@ -13,6 +13,37 @@ namespace stickslip
 {
   namespace
   {
+    /// The same on a face of a simplex, in the order of @p shape.
+    template <int dim>
+    std::vector<unsigned int>
+    simplex_face_nodes(const std::vector<Point<dim>> &unit_points,
+                       const unsigned int             f,
+                       const FaceShape<dim>          &shape)
+    {
+      const ReferenceCell cell           = ReferenceCells::get_simplex<dim>();
+      const auto          vertex_of_face = [&](const unsigned int v) {
+        return cell.template vertex<dim>(cell.face_to_cell_vertices(f, v, 1));
+      };
+      const Point<dim>          origin = vertex_of_face(0);
+      std::vector<unsigned int> nodes;
+      for (unsigned int j = 0; j < shape.n_nodes(); ++j)
+        {
+          Point<dim> place = origin;
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            place += shape.node(j)[d] * (vertex_of_face(d + 1) - origin);
+          const auto nearest =
+            std::min_element(unit_points.begin(),
+                             unit_points.end(),
+                             [&](const Point<dim> &a, const Point<dim> &b) {
+                               return a.distance(place) < b.distance(place);
+                             });
+          nodes.push_back(nearest - unit_points.begin());
+        }
+      return nodes;
+    }
+
+
+
     /// Cell-local scalar support points on face @p f, lexicographic on the face.
     template <int dim>
     std::vector<unsigned int>
@@ -55,9 +86,10 @@ namespace stickslip
     double
     face_area(const SurfaceFace<dim> &face, const FaceShape<dim> &shape)
     {
-      const QGauss<dim - 1> quadrature(shape.degree() + 1);
-      FaceShapeValues<dim>  values;
-      double                area = 0.;
+      const Quadrature<dim - 1> quadrature =
+        gauss_quadrature<dim - 1>(shape.reference_cell(), shape.degree() + 1);
+      FaceShapeValues<dim> values;
+      double               area = 0.;
       for (unsigned int q = 0; q < quadrature.size(); ++q)
         {
           shape.evaluate(quadrature.point(q), values);
@@ -79,17 +111,16 @@ namespace stickslip
                 const std::function<double(const types::material_id)> &modulus,
                 const bool with_ghosts)
   {
-    const auto           &fe = dof_handler.get_fe();
-    const FaceShape<dim>  shape(fe.degree);
+    const auto           &fe            = dof_handler.get_fe();
+    const bool            has_simplices = fe.reference_cell().is_simplex();
+    const FaceShape<dim>  shape(fe.degree, faces_of<dim>(fe.reference_cell()));
     const Quadrature<dim> support(fe.base_element(0).get_unit_support_points());
     FEValues<dim> fe_values(mapping, fe, support, update_quadrature_points);
     std::vector<types::global_dof_index> cell_dofs(fe.n_dofs_per_cell());
-    FaceShapeValues<dim>                 centre;
-    Point<dim - 1>                       middle;
-    for (unsigned int d = 0; d < dim - 1; ++d)
-      middle[d] = 0.5;
-    shape.evaluate(middle, centre);
+    const FaceShapeValues<dim>          &centre = shape.at_centre();
 
+    // A simplex is higher than its volume over the area of its face.
+    const double                    height_factor = has_simplices ? dim : 1.;
     std::vector<CollectedFace<dim>> result;
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
@@ -108,7 +139,9 @@ namespace stickslip
             face.id.cell = cell->id().template to_binary<dim>();
             face.id.face = f;
             for (const unsigned int i :
-                 lexicographic_face_nodes(support.get_points(), f))
+                 has_simplices
+                   ? simplex_face_nodes(support.get_points(), f, shape)
+                   : lexicographic_face_nodes(support.get_points(), f))
               {
                 face.reference_positions.push_back(
                   fe_values.quadrature_point(i));
@@ -128,10 +161,10 @@ namespace stickslip
               surface_normal<dim>(reference_tangents(face, centre.gradient));
             face.orientation       = normal * outward > 0. ? -1. : 1.;
             const double stiffness = modulus(cell->material_id());
-            face.compliance =
-              std::isinf(stiffness)
-                ? 0.
-                : cell->measure() / face_area(face, shape) / stiffness;
+            face.compliance        = std::isinf(stiffness)
+                                       ? 0.
+                                       : height_factor * cell->measure() /
+                                    face_area(face, shape) / stiffness;
             result.push_back({face, cell, f});
           }
       }

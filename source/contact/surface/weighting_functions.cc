@@ -21,7 +21,7 @@ namespace stickslip
         {
           if (excluded[l])
             continue;
-          const double distance = shape.node(l).distance(shape.node(m));
+          const double distance = shape.distance(l, m);
           if (distance < smallest - tie)
             nearest.clear();
           if (distance < smallest + tie)

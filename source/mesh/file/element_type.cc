@@ -23,6 +23,15 @@ namespace stickslip
 
 
 
+  bool
+  is_simplex(const ElementShape shape)
+  {
+    return shape == ElementShape::triangle ||
+           shape == ElementShape::tetrahedron;
+  }
+
+
+
   std::string
   MeshElementType::plural() const
   {

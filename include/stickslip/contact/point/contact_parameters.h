@@ -37,6 +37,7 @@ namespace stickslip
 
   enum class MultiplierSpace
   {
+    automatic,          ///< vertices on quadratic triangles, else the trace
     displacement_trace, ///< of the degree of the displacement
     vertices            ///< linear
   };
@@ -132,7 +133,7 @@ namespace stickslip
     double        tresca_threshold     = 0.;
     ThresholdForm threshold_form       = ThresholdForm::augmented;
 
-    MultiplierSpace    multiplier_space = MultiplierSpace::displacement_trace;
+    MultiplierSpace    multiplier_space = MultiplierSpace::automatic;
     ContactRule        quadrature       = ContactRule::segments;
     unsigned int       quadrature_order = 2;
     WeightingFunctions weighting        = WeightingFunctions::dual;

@@ -1,7 +1,7 @@
 #ifndef stickslip_contact_point_pairing_h
 #define stickslip_contact_point_pairing_h
 
-#include <stickslip/contact/surface/surface_face.h>
+#include <stickslip/contact/surface/normal_projection.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
@@ -21,8 +21,8 @@ namespace stickslip
     unsigned int face   = 0; ///< in the local patch
     FaceId       face_id;    ///< the same, everywhere
 
-    Point<dim - 1>            xi;
-    std::array<bool, dim - 1> free{}; ///< false: at an end of this direction
+    Point<dim - 1>  xi;
+    EdgeMotion<dim> free{};
 
     Tensor<1, dim>                      n; ///< into the master
     std::array<Tensor<1, dim>, dim - 1> tau;
@@ -31,10 +31,7 @@ namespace stickslip
     bool
     is_interior() const
     {
-      for (const bool direction_is_free : free)
-        if (!direction_is_free)
-          return false;
-      return true;
+      return free == everywhere<dim>();
     }
 
     /// On the same part (interior, edge, corner) of the same facet.

@@ -41,8 +41,9 @@ namespace stickslip
   template <int dim>
   struct ContactFaceResult
   {
-    unsigned int pair;                ///< index of the contact pair
-    unsigned int nodes_per_direction; ///< degree + 1; nodes are lexicographic
+    unsigned int                pair;   ///< index of the contact pair
+    unsigned int                degree; ///< nodes in the order of FaceShape
+    ReferenceCell               cell = ReferenceCells::get_hypercube<dim - 1>();
     std::vector<Point<dim>>     reference_positions;
     std::vector<Tensor<1, dim>> displacements;
     std::vector<double> lambda_n; ///< nodal normal multiplier (stress, <= 0)

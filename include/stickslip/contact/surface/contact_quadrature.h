@@ -2,6 +2,7 @@
 #define stickslip_contact_surface_contact_quadrature_h
 
 #include <stickslip/base/choice.h>
+#include <stickslip/contact/surface/face_shape.h>
 
 #include <deal.II/base/quadrature.h>
 
@@ -39,8 +40,8 @@ namespace stickslip
   /**
    * The points and weights of @p rule on a slave face (paper, 2.2).
    *
-   * - `nodal`: at the nodes of the multiplier space of degree
-   *   @p multiplier_degree (trapezoid for 1, Simpson for 2, Gauss-Lobatto above);
+   * - `nodal`: at the nodes of the multiplier space (trapezoid for degree 1,
+   * Simpson for 2, Gauss-Lobatto above);
    * - `Gauss` with @p order points per direction (1 to 20);
    * - `Simpson` with @p order subintervals (1 to 20);
    * - `Newton-Cotes` with @p order intervals, order + 1 points (1 to 7 and 9:
@@ -48,24 +49,26 @@ namespace stickslip
    * - `segments`: the points of `nodal`, at which averages are then taken
    *   (pairing/mortar_surface.h).
    *
-   * Tensor products on [0,1]^(facedim). Throws UserError naming @p path.
+   * Tensor products on [0,1]^(facedim); on triangles `nodal` (the vertices),
+   * `Gauss` (1 to 4, with the exactness of that order) and `segments`. Throws
+   * UserError naming @p path.
    */
-  template <int facedim>
-  Quadrature<facedim>
-  contact_quadrature(const ContactRule  rule,
-                     const unsigned int order,
-                     const unsigned int multiplier_degree,
-                     const std::string &path);
+  template <int dim>
+  Quadrature<dim - 1>
+  contact_quadrature(const ContactRule     rule,
+                     const unsigned int    order,
+                     const FaceShape<dim> &multiplier_shape,
+                     const std::string    &path);
 
   /**
    * Throws UserError if a slave face has fewer points than multipliers: then
    * some combination of these vanishes at all points, in any mesh but the
    * coarsest. @p path as above.
    */
-  template <int facedim>
+  template <int dim>
   void
-  check_multipliers_are_determined(const Quadrature<facedim> &quadrature,
-                                   const unsigned int         multiplier_degree,
+  check_multipliers_are_determined(const Quadrature<dim - 1> &quadrature,
+                                   const FaceShape<dim>      &multiplier_shape,
                                    const std::string         &path);
 } // namespace stickslip
 

@@ -7,6 +7,8 @@
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/tensor.h>
 
+#include <deal.II/grid/reference_cell.h>
+
 #include <vector>
 
 namespace stickslip
@@ -21,16 +23,22 @@ namespace stickslip
   };
 
   /**
-   * Lagrange shape functions of a face of a FE_Q(degree) cell: tensor products
-   * on [0,1]^(dim-1) with Gauss-Lobatto nodes in lexicographic order. They
-   * describe positions, displacements and multipliers on slave and master
-   * faces alike (paper, eqs. 14 and 15).
+   * Lagrange shape functions of a face. They describe positions, displacements
+   * and multipliers on slave and master faces alike (paper, eqs. 14 and 15).
+   *
+   * - Of a FE_Q(degree) cell: tensor products on [0,1]^(dim-1) with
+   *   Gauss-Lobatto nodes in lexicographic order.
+   * - Of a tetrahedron, degree 1 or 2: on the triangle xi_1, xi_2 >= 0,
+   *   xi_1 + xi_2 <= 1; its vertices, then the middles of its edges.
    */
   template <int dim>
   class FaceShape
   {
   public:
-    explicit FaceShape(const unsigned int degree);
+    /// @p face is what the faces are: lines in 2D.
+    explicit FaceShape(
+      const unsigned int   degree,
+      const ReferenceCell &face = ReferenceCells::get_hypercube<dim - 1>());
 
     unsigned int
     degree() const;
@@ -38,8 +46,24 @@ namespace stickslip
     unsigned int
     n_nodes() const;
 
+    const ReferenceCell &
+    reference_cell() const
+    {
+      return face;
+    }
+
+    bool
+    is_triangle() const
+    {
+      return dim == 3 && face.is_simplex();
+    }
+
     const Point<dim - 1> &
     node(const unsigned int j) const;
+
+    /// Between two nodes of a face with edges of length 1.
+    double
+    distance(const unsigned int j, const unsigned int k) const;
 
     /// Only the values.
     void
@@ -48,6 +72,12 @@ namespace stickslip
     /// Values, gradients and Hessians.
     void
     evaluate(const Point<dim - 1> &xi, FaceShapeValues<dim> &shape) const;
+
+    const Point<dim - 1> &
+    centre() const
+    {
+      return middle;
+    }
 
     /// evaluate() in the middle of the face.
     const FaceShapeValues<dim> &
@@ -64,9 +94,15 @@ namespace stickslip
     }
 
   private:
+    void
+    evaluate_product(const Point<dim - 1> &xi,
+                     FaceShapeValues<dim> &shape) const;
+
+    ReferenceCell                                face;
     unsigned int                                 n_1d;
     std::vector<Polynomials::Polynomial<double>> basis;
     std::vector<Point<dim - 1>>                  nodes;
+    Point<dim - 1>                               middle;
     FaceShapeValues<dim>                         centre_values;
     std::vector<FaceShapeValues<dim>>            node_values;
   };

@@ -46,8 +46,9 @@ namespace stickslip
    * Integration over the intersection of a slave face with a master face, both
    * projected on the plane of the slave face: polygons that are cut into
    * triangles (2D: intervals). Exact for products of two shape functions where
-   * both faces are parallelograms; of a higher order where they are not, as the
-   * shape functions then are no polynomials in the plane.
+   * both faces are parallelograms or straight triangles; of a higher order
+   * where they are not, as the shape functions then are no polynomials in the
+   * plane.
    */
   template <int dim>
   class SegmentRule
@@ -92,9 +93,10 @@ namespace stickslip
 
   private:
     const FaceShape<dim> shape;
-    Quadrature<dim - 1>  exact_rule; ///< for parallelograms
-    Quadrature<dim - 1>  other_rule;
-    Quadrature<dim - 2>  edge_rule;
+    Quadrature<dim - 1>
+      exact_rule; ///< for parallelograms and straight triangles
+    Quadrature<dim - 1> other_rule;
+    Quadrature<dim - 2> edge_rule;
 
     /// Parametric coordinates of the point of a face above @p p, from a first
     /// guess; false if there is none.

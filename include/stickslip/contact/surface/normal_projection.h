@@ -7,15 +7,31 @@
 
 namespace stickslip
 {
+  /**
+   * How xi may move: 1 along each direction inside a face; on an edge the
+   * direction of the edge, as (0, 1), or (-1, 1) for the slanting edge of a
+   * triangle; 0 at a corner.
+   */
+  template <int dim>
+  using EdgeMotion = std::array<int, dim - 1>;
+
+  template <int dim>
+  EdgeMotion<dim>
+  everywhere()
+  {
+    EdgeMotion<dim> free;
+    free.fill(1);
+    return free;
+  }
+
   /// Where a slave point lies over a master face.
   template <int dim>
   struct Projection
   {
-    bool           found = false; ///< Newton converged / an edge point exists
-    Point<dim - 1> xi;
-    /// Directions along which xi may move; false where it sits on an edge.
-    std::array<bool, dim - 1> free{};
-    double                    distance = 0.; ///< |x_s - xbar|
+    bool            found = false; ///< Newton converged / an edge point exists
+    Point<dim - 1>  xi;
+    EdgeMotion<dim> free{};
+    double          distance = 0.; ///< |x_s - xbar|
     /// Part of x_s - xbar that is not along the normal (0 inside the face).
     double overshoot = 0.;
   };

@@ -27,6 +27,10 @@ namespace stickslip
   unsigned int
   n_vertices_of(const ElementShape shape);
 
+  /// True for triangles and tetrahedra.
+  bool
+  is_simplex(const ElementShape shape);
+
   /// A shape with a number of nodes, and what formats call it. The first nodes
   /// are the vertices, in the order that Gmsh, Abaqus and VTK have in common.
   struct MeshElementType

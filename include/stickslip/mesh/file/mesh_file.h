@@ -108,6 +108,14 @@ namespace stickslip
                                            type(element).n_nodes);
     }
 
+    /// The nodes at its vertices: the first ones.
+    std::vector<unsigned int>
+    vertices(const std::size_t element) const
+    {
+      const auto first = nodes(element).begin();
+      return {first, first + n_vertices_of(type(element).shape)};
+    }
+
     /// Indices of the groups of an element, ascending.
     const std::vector<unsigned int> &
     groups_of(const std::size_t element) const
