@@ -1,6 +1,6 @@
 """Wrong inputs: the sections that say what is computed."""
-from bad_words import (CHECK_FALLS_SHORT, HERE, NO_CONVERGENCE, ONE_STEP, WRONG_INPUT, body, condition, material,
-                       own_condition, pair, plastic, regularization, steel)
+from bad_words import (CHECK_FALLS_SHORT, HERE, NO_CONVERGENCE, ONE_STEP, WRONG_INPUT, blocks_held, body, condition,
+                       interface, material, own_condition, pair, plastic, regularization, section, steel)
 
 COARSE = body("plate", "Simplices = true", "Arguments = 0 |4| 40 : 0 |1| 1 : 0 |4| 40")
 
@@ -122,6 +122,29 @@ CASES = {
     "a pair that never meets": (
         "floating_blocks.prm", condition("lower", 2, "Value = 0; 0") + condition("upper", 3, "Value = 0; t") + body("upper", "Translation = 0, 9, 0"),
         0, ["Warning: contact pair 'interface' has not acted", "Search distance"]),
+    "a pair that is always open": (
+        "floating_blocks.prm", blocks_held("Translation = 0, 0.3, 0"), 0, ["Warning: contact pair 'interface' has never touched"]),
+    "meshes in two units of length": (
+        "floating_blocks.prm", blocks_held("Arguments = 2, 2 : 0, 1000 : 1000, 2000 : true") + section("Output", "Verbosity = progress"),
+        0, ["Warning: the surfaces of contact pair 'interface' can hardly meet", "size 1000", "size 1,", "same unit of length"]),
+    "bodies far from each other": (
+        "floating_blocks.prm", blocks_held("Translation = 0, 9, 0") + section("Output", "Verbosity = progress"),
+        0, ["0 of 3 points of 'upper' have 'lower' opposite", "can hardly meet", "9 apart"]),
+    "a part of a pair in another one": (
+        "floating_blocks.prm", blocks_held("Translation = 0, 0.3, 0") + section("Output", "Verbosity = progress")
+        + interface("Slave body = upper", "Slave boundary = 1, 2", "Master body = lower", "Master boundary = 3", name="twice"),
+        0, ["Warning: contact pairs 'interface' and 'twice' have the same surfaces"]),
+    "a surface that is slave and master": (
+        "floating_blocks.prm", blocks_held("Translation = 0, 0.3, 0") + section("Output", "Verbosity = progress")
+        + interface("Slave body = lower", "Slave boundary = 3", "Master body = upper", "Master boundary = 1", name="other"),
+        0, ["Warning: contact pairs 'interface' and 'other' share a surface that is slave of one and master of the other"]),
+    "an overlap above the limit": (
+        "floating_blocks.prm", blocks_held("Translation = 0, -0.2, 0") + interface("Largest initial overlap = 0.1"),
+        WRONG_INPUT, ["Contact/interface/Largest initial overlap", "is 0.1", "'upper' and 'lower' overlap by 0.2"]),
+    "closed gaps without a tolerance": (
+        "floating_blocks.prm", interface("Initial gaps = closed"), WRONG_INPUT, ["Contact/interface/Initial gap tolerance", "larger than 0"]),
+    "a tolerance of gaps as they are": (
+        "floating_blocks.prm", interface("Initial gap tolerance = 1"), WRONG_INPUT, ["Contact/interface/Initial gap tolerance", "as meshed"]),
     # ------------------------------------------------------------- meshes
     "nodes that are there twice": (
         "unheld_block.prm", body("block", "Generator =", "Arguments =", f"Mesh file = {HERE}/cracked.msh")

@@ -32,6 +32,16 @@ def pair(*lines):
     return "subsection Contact\n subsection base\n set %s\n end\nend\n" % "\n set ".join(lines)
 
 
+def interface(*lines, name="interface"):
+    """The pair of the floating blocks."""
+    return "subsection Contact\n subsection %s\n set %s\n end\nend\n" % (name, "\n set ".join(lines))
+
+
+def blocks_held(*upper):
+    """The floating blocks, both held; what else there is about the upper one."""
+    return condition("lower", 2, "Value = 0; 0") + condition("upper", 3, "Value = 0; 0") + body("upper", *upper)
+
+
 def regularization(*lines):
     """Of the pair of the plate."""
     return "subsection Contact\n subsection base\n subsection Regularization\n set %s\n end\n end\nend\n" % "\n set ".join(lines)

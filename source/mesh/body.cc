@@ -98,6 +98,17 @@ namespace stickslip
 
 
 
+  std::set<types::boundary_id>
+  Bodies::all_boundary_ids(const unsigned int body) const
+  {
+    std::set<types::boundary_id> ids;
+    for (const types::boundary_id local : bodies[body].boundary_ids)
+      ids.insert(global_boundary_id(body, local));
+    return ids;
+  }
+
+
+
   unsigned int
   Bodies::body_of_boundary(const types::boundary_id global) const
   {

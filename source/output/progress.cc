@@ -89,6 +89,15 @@ namespace stickslip
 
 
   void
+  Progress::say(const std::string &text)
+  {
+    if (is_active)
+      out << text << std::endl;
+  }
+
+
+
+  void
   Progress::finished(const unsigned int n_steps)
   {
     if (!is_active)

@@ -2,7 +2,6 @@
 
 #include <stickslip/base/user_error.h>
 
-#include <set>
 #include <string>
 
 namespace stickslip
@@ -36,16 +35,19 @@ namespace stickslip
           throw UserError("'" + path + "': both bodies, '" + pair.slave_body +
                           "' and '" + pair.master_body +
                           "', are rigid. At least one must be deformable.");
-        std::set<types::boundary_id> excluded;
+        PairSurfaces surfaces{slave,
+                              master,
+                              {},
+                              bodies.all_boundary_ids(slave_body),
+                              bodies.all_boundary_ids(master_body)};
         if (!pair.excluded_boundaries.empty())
-          excluded = bodies.global_boundary_ids(pair.slave_body,
-                                                pair.excluded_boundaries,
-                                                path + "/Excluded boundaries");
+          surfaces.excluded =
+            bodies.global_boundary_ids(pair.slave_body,
+                                       pair.excluded_boundaries,
+                                       path + "/Excluded boundaries");
         pairs.push_back(std::make_unique<ContactPair<dim>>(name,
                                                            pair,
-                                                           slave,
-                                                           master,
-                                                           excluded,
+                                                           surfaces,
                                                            dofs.mapping,
                                                            dofs.dof_handler,
                                                            modulus,

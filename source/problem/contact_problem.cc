@@ -103,7 +103,8 @@ namespace stickslip
     // A spring on one side of a body is lost in the roundoff of its matrix.
     softest_spring = 1e-11 * modulus / extent;
     find_symmetry_planes();
-    x_old = zero_state();
+    contact_start = look_at_contact(*contact_assembler, dofs);
+    x_old         = zero_state();
     solid_assembler->stabilization().set_start(u_old);
   }
 

@@ -35,6 +35,7 @@ namespace stickslip
     const NamedList<BodyParameters>        &bodies)
     : is_paired(pairs.size(), true)
     , was_paired(pairs.size(), false)
+    , was_closed(pairs.size(), false)
   {
     for (const auto &[name, pair] : pairs)
       {
@@ -86,6 +87,7 @@ namespace stickslip
         const bool was_paired_before = is_paired[p];
         is_paired[p]  = resultants[p].n_unpaired < resultants[p].n_points;
         was_paired[p] = was_paired[p] || is_paired[p];
+        was_closed[p] = was_closed[p] || resultants[p].n_closed() > 0;
         if (was_paired_before && !is_paired[p])
           texts.push_back("no point of contact pair '" + names[p] +
                           "' has a master face opposite and near it: the slave "
@@ -109,6 +111,10 @@ namespace stickslip
                         "near it. Look at 'Slave boundary', 'Master boundary' "
                         "and 'Search distance' of 'Contact/" +
                         names[p] + "'.");
+      else if (!was_closed[p])
+        texts.push_back("contact pair '" + names[p] +
+                        "' has never touched: its gap was open at all points " +
+                        "at the end of each step of this run.");
     return texts;
   }
 

@@ -86,8 +86,12 @@ namespace stickslip
       if (is_validation)
         {
           if (is_speaker())
-            std::cout << command_line.parameter_file << ": no errors found."
-                      << std::endl;
+            {
+              for (const std::string &line : simulation.description_of_start())
+                std::cout << line << '\n';
+              std::cout << command_line.parameter_file << ": no errors found."
+                        << std::endl;
+            }
           return success;
         }
       return simulation.run(command_line.restart) == 0 ? success

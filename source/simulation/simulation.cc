@@ -115,7 +115,7 @@ namespace stickslip
       for (const std::string &text : list)
         warn(text);
     if (start.checkpoint.empty())
-      return;
+      return describe_start();
     log.note("continues from " + start.checkpoint);
     if (!old_physics.empty())
       for (const auto &text : changed_values(old_physics, parameters.physics))

@@ -2,7 +2,7 @@
 
 #include "print.h"
 
-#include <stickslip/contact/pairing/master_patch.h>
+#include <stickslip/contact/pairing/partner_search.h>
 
 #include <stickslip/mesh/mesh_builder.h>
 
@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <memory>
 #include <sstream>
 #include <vector>
@@ -45,6 +46,15 @@ namespace
     FaceId         id;
     Point<dim - 1> xi;
     double         gap = 0.;
+
+    /// At rest, alone, on a body of any thickness.
+    SearchingPoint<dim>
+    searching() const
+    {
+      static const std::vector<Tensor<1, dim>> none;
+      return {
+        x, x, slave_normal, std::numeric_limits<double>::infinity(), &none};
+    }
 
     template <class Archive>
     void
@@ -177,10 +187,10 @@ namespace
       for (unsigned int i = 0; i < probes.size(); ++i)
         if (i % n_ranks == rank)
           {
-            const Pairing<dim> frame = patch->find(probes[i].x,
-                                                   probes[i].slave_normal,
-                                                   Pairing<dim>(),
-                                                   EdgeRetention());
+            const Pairing<dim> frame = find_partner(*patch,
+                                                    probes[i].searching(),
+                                                    Pairing<dim>(),
+                                                    EdgeRetention());
             own.push_back(
               {i,
                frame.paired,
@@ -441,7 +451,7 @@ namespace
         roof.patch->relocate(hint);
         const auto probe = probe_at<dim>(x, 1.49, 0.3, 1.);
         const auto frame =
-          roof.patch->find(probe.x, probe.slave_normal, hint, {1., false});
+          find_partner(*roof.patch, probe.searching(), hint, {1., false});
         bool keeps = frame.paired && frame.face_id == found[0].face_id;
         text += keeps ? " kept" : " changed";
       }

@@ -67,6 +67,10 @@ namespace stickslip
                        const std::string &label,
                        const std::string &parameter_path) const;
 
+    /// All of the triangulation's ids of the boundaries of a body.
+    std::set<types::boundary_id>
+    all_boundary_ids(const unsigned int body) const;
+
     /// The body that owns the triangulation's boundary id @p global.
     unsigned int
     body_of_boundary(const types::boundary_id global) const;

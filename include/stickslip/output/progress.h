@@ -49,6 +49,10 @@ namespace stickslip
     void
     warn(const std::string &text);
 
+    /// A line about the run.
+    void
+    say(const std::string &text);
+
     /// The run is complete after @p n_steps steps.
     void
     finished(const unsigned int n_steps);

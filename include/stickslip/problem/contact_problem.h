@@ -12,6 +12,7 @@
 #include <stickslip/mesh/mesh_builder.h>
 
 #include <stickslip/problem/body_support.h>
+#include <stickslip/problem/contact_at_start.h>
 #include <stickslip/problem/dof_layout.h>
 #include <stickslip/problem/problem_constraints.h>
 #include <stickslip/problem/problem_sparsity.h>
@@ -49,6 +50,13 @@ namespace stickslip
       const NamedList<BoundaryConditionParameters> &boundary_conditions,
       const NamedList<ContactPairParameters>       &contact_pairs,
       const bool                                    quasi_tangent);
+
+    /// What is between the surfaces of each pair where nothing is deformed.
+    const std::vector<ContactAtStart<dim>> &
+    start() const
+    {
+      return contact_start;
+    }
 
     /// A zero state (not ghosted).
     LA::BlockVector
@@ -257,6 +265,7 @@ namespace stickslip
     BoundaryConditions<dim>                  boundary_conditions;
     std::unique_ptr<SolidAssembler<dim>>     solid_assembler;
     std::unique_ptr<ContactAssembler<dim>>   contact_assembler;
+    std::vector<ContactAtStart<dim>>         contact_start;
     std::unique_ptr<ProblemConstraints<dim>> constraints;
     std::unique_ptr<ProblemSparsity<dim>>    sparsity;
     std::unique_ptr<SystemDescription<dim>>  system_description;

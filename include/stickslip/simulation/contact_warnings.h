@@ -44,6 +44,7 @@ namespace stickslip
     std::vector<std::string> about_parameters;
     std::vector<bool>        is_paired;  ///< any point, at the last step
     std::vector<bool>        was_paired; ///< any point, at any step
+    std::vector<bool>        was_closed; ///< likewise
     unsigned int             n_steps = 0;
   };
 } // namespace stickslip

@@ -54,6 +54,14 @@ namespace stickslip
     unsigned int
     run(const std::string &restart_from);
 
+    /// What is there between the contact surfaces where nothing is deformed,
+    /// and what looks wrong about it.
+    std::vector<std::string>
+    description_of_start()
+    {
+      return describe(problem.contact(), problem.start());
+    }
+
   private:
     const CaseParameters         &parameters;
     MPI_Comm                      communicator;
@@ -107,6 +115,17 @@ namespace stickslip
 
     void
     accept_step();
+
+    /// In the log and on the screen: description_of_start().
+    void
+    describe_start()
+    {
+      for (const std::string &line : description_of_start())
+        {
+          log.note(line);
+          progress.say(line);
+        }
+    }
 
     /// In the log and on the screen.
     void

@@ -3,6 +3,8 @@
 #include <stickslip/base/user_error.h>
 #include <stickslip/mesh/reference_cells.h>
 
+#include <stickslip/contact/pairing/local_thickness.h>
+#include <stickslip/contact/pairing/partner_search.h>
 #include <stickslip/contact/point/contact_points.h>
 #include <stickslip/contact/point/multiplier_shape.h>
 #include <stickslip/contact/surface/contact_quadrature.h>
@@ -11,9 +13,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace stickslip
 {
@@ -46,34 +46,43 @@ namespace stickslip
   ContactPair<dim>::ContactPair(
     const std::string                                     &name,
     const ContactPairParameters                           &parameters,
-    const std::set<types::boundary_id>                    &slave_boundary,
-    const std::set<types::boundary_id>                    &master_boundary,
-    const std::set<types::boundary_id>                    &excluded_boundary,
+    const PairSurfaces                                    &surfaces,
     const Mapping<dim>                                    &mapping,
     const DoFHandler<dim>                                 &dof_handler,
     const std::function<double(const types::material_id)> &modulus,
     const MPI_Comm                                        &communicator)
     : parameters(parameters)
     , name(name)
+    , surfaces(surfaces)
     , displacement_shape(dof_handler.get_fe().degree,
                          faces_of<dim>(dof_handler.get_fe().reference_cell()))
     , multiplier_shape(
         make_multiplier_shape(parameters, displacement_shape, path_of(name)))
-    , gap_offset(parameters.gap_offset, 1, path_of(name) + "/Gap offset")
+    , gap_offsets(parameters, path_of(name))
     , communicator(communicator)
   {
-    for (const auto id : slave_boundary)
-      if (master_boundary.count(id) > 0)
+    for (const auto id : surfaces.slave)
+      if (surfaces.master.count(id) > 0)
         throw UserError("'" + path_of(name) +
                         "': the slave and the master set share a boundary of "
                         "body '" +
                         parameters.slave_body +
                         "'. A surface cannot be both in one pair.");
 
-    const auto slaves =
-      collect_faces(mapping, dof_handler, slave_boundary, modulus, true);
+    auto slaves =
+      collect_faces(mapping, dof_handler, surfaces.slave, modulus, true);
     auto masters =
-      collect_faces(mapping, dof_handler, master_boundary, modulus, true);
+      collect_faces(mapping, dof_handler, surfaces.master, modulus, true);
+    measure_thickness(dof_handler,
+                      surfaces.slave_body,
+                      displacement_shape,
+                      communicator,
+                      slaves);
+    measure_thickness(dof_handler,
+                      surfaces.master_body,
+                      displacement_shape,
+                      communicator,
+                      masters);
     if (parameters.has_smoothed_normals())
       add_nodal_normals(masters,
                         displacement_shape,
@@ -108,7 +117,7 @@ namespace stickslip
                                                communicator);
 
     excluded = excluded_slave_nodes(slaves,
-                                    excluded_boundary,
+                                    surfaces.excluded,
                                     parameters.excluded_points,
                                     path_of(name) + "/Excluded points",
                                     mapping,
@@ -229,29 +238,6 @@ namespace stickslip
 
   template <int dim>
   void
-  ContactPair<dim>::update_gap_offsets(const double time)
-  {
-    std::ostringstream error;
-    for (auto &point : points)
-      {
-        point.gap_offset =
-          gap_offset.value(Point<dim>(point.geometry.reference_position), time);
-        if (error.str().empty() && !std::isfinite(point.gap_offset))
-          error << "'" << path_of(name) << "/Gap offset' is not a number at ("
-                << point.geometry.reference_position << "), time " << time
-                << ".";
-      }
-    throw_collectively(error.str(), communicator);
-    if (mortar && parameters.gap_offset != "0")
-      mortar->update_gap_offsets([this, time](const Point<dim> &position) {
-        return gap_offset.value(position, time);
-      });
-  }
-
-
-
-  template <int dim>
-  void
   ContactPair<dim>::update_configuration(const LA::Vector &u,
                                          const LA::Vector &u_old)
   {
@@ -267,13 +253,19 @@ namespace stickslip
   Pairing<dim>
   ContactPair<dim>::find_pairing(const ContactPoint<dim> &point) const
   {
-    const Tensor<1, dim> outward =
-      slave_configuration.normal(slave_faces, table, point);
-    const SlavePosition<dim> slave   = slave_position(point);
-    Pairing<dim>             pairing = patch->find(slave.x,
-                                       outward,
-                                       point.hysteresis.last(),
-                                       point.hysteresis.retention());
+    const SlavePosition<dim>  slave = slave_position(point);
+    const unsigned int        f     = point.geometry.slave_face;
+    const SearchingPoint<dim> searching{slave.x,
+                                        slave.x_old,
+                                        slave_configuration.normal(slave_faces,
+                                                                   table,
+                                                                   point),
+                                        slave_faces[f].face.thickness,
+                                        &slave_positions(f)};
+    Pairing<dim>              pairing = find_partner(*patch,
+                                        searching,
+                                        point.hysteresis.last(),
+                                        point.hysteresis.retention());
     if (pairing.paired)
       pairing.tau = tangent_basis<dim>(pairing.n, slave.direction);
     return pairing;

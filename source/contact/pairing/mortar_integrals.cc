@@ -148,7 +148,7 @@ namespace stickslip
 
     average.slave_positions.resize(node.n_stencil_nodes());
     average.slave_motions.resize(node.n_stencil_nodes());
-    average.slave_gap_offsets.assign(node.n_stencil_nodes(), 0.);
+    average.slave_gap_offsets.assign(node.n_stencil_nodes(), node.gap_offset);
     std::map<types::global_dof_index, unsigned int> numbers;
     std::map<unsigned int, double>                  shares; // of master faces
     for (const auto &around : node.faces)
@@ -164,7 +164,7 @@ namespace stickslip
               slave.positions[k] - slave.old_positions[k];
             if (!slave.gap_offsets.empty())
               average.slave_gap_offsets[around.stencil[k]] =
-                slave.gap_offsets[k];
+                node.gap_offset + slave.gap_offsets[k];
             average.x += D * slave.positions[k];
             average.w += D * (slave.positions[k] - slave.old_positions[k]);
             if (!slave.gap_offsets.empty())
@@ -203,7 +203,7 @@ namespace stickslip
     average.x /= average.area;
     average.r /= average.area;
     average.w /= average.area;
-    average.gap_offset /= average.area;
+    average.gap_offset = average.gap_offset / average.area + node.gap_offset;
     average.main_master =
       std::max_element(shares.begin(), shares.end(), [](auto &a, auto &b) {
         return a.second < b.second;

@@ -1,7 +1,10 @@
 #include <stickslip/contact/pairing/segment_search.h>
 
+#include <stickslip/contact/pairing/possible_penetration.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -33,30 +36,47 @@ namespace stickslip
       std::vector<SegmentPoint<dim>> points;
       double                         area     = 0.; ///< undeformed
       double                         distance = 0.; ///< mean, without sign
+      SearchingPoint<dim>            middle;        ///< of the segments, mean
+      PossiblePartner<dim>           partner;       ///< opposite
     };
 
 
 
     template <int dim>
     void
-    measure_candidate(const MortarFace<dim>             &slave,
-                      const FaceShape<dim>              &shape,
-                      const Tensor<1, dim>              &n,
-                      const std::vector<Tensor<1, dim>> &master,
-                      Candidate<dim>                    &candidate)
+    measure_candidate(const MortarFace<dim>      &slave,
+                      const ProjectionPlane<dim> &plane,
+                      const MasterPatch<dim>     &patch,
+                      Candidate<dim>             &candidate)
     {
+      const auto         &shape   = patch.face_shape();
+      const auto         &now     = patch.configuration(candidate.master);
+      const auto         &old     = patch.old_configuration(candidate.master);
+      auto               &middle  = candidate.middle;
+      auto               &partner = candidate.partner;
       std::vector<double> N, N_master;
       for (const auto &point : candidate.points)
         {
           shape.evaluate_values(point.xi, N);
           shape.evaluate_values(point.eta, N_master);
           candidate.area += point.weight;
-          candidate.distance += point.weight *
-                                (interpolate<dim>(N_master, master) -
-                                 interpolate<dim>(N, slave.positions)) *
-                                n;
+          middle.x += point.weight * interpolate<dim>(N, slave.positions);
+          middle.x_old +=
+            point.weight * interpolate<dim>(N, slave.old_positions);
+          partner.x += point.weight * interpolate<dim>(N_master, now.positions);
+          partner.x_old +=
+            point.weight * interpolate<dim>(N_master, old.positions);
         }
-      candidate.distance = std::abs(candidate.distance) / candidate.area;
+      for (auto *x : {&middle.x, &middle.x_old, &partner.x, &partner.x_old})
+        *x /= candidate.area;
+      candidate.distance = std::abs((partner.x - middle.x) * plane.n);
+      middle.normal      = plane.n;
+      middle.thickness   = slave.face.thickness;
+      middle.face_nodes  = &slave.positions;
+      partner.face       = candidate.master;
+      partner.n          = plane.n;
+      partner.n_old =
+        projection_plane(slave.face, shape, slave.old_positions).n;
     }
 
 
@@ -83,12 +103,54 @@ namespace stickslip
 
 
 
-    /// Of candidates that lie behind each other only the nearest is a partner.
+    /// True if candidates are farther from each other than a body is thick:
+    /// they are not one surface.
+    template <int dim>
+    bool
+    are_apart(const std::vector<Candidate<dim>> &candidates,
+              const MasterPatch<dim>            &patch)
+    {
+      if (candidates.empty())
+        return false;
+      const auto height = [&](const Candidate<dim> &candidate) {
+        return depth_of(candidate.middle, candidate.partner).now;
+      };
+      double low = height(candidates[0]), high = low,
+             thickness = std::numeric_limits<double>::infinity();
+      for (const auto &candidate : candidates)
+        {
+          low  = std::min(low, height(candidate));
+          high = std::max(high, height(candidate));
+          thickness =
+            std::min(thickness, patch.face(candidate.master).thickness);
+        }
+      return high - low > thickness;
+    }
+
+
+
+    /// Of candidates that lie behind each other only the nearest is a partner,
+    /// and none behind a body that the slave has come into.
     template <int dim>
     void
     drop_hidden(const ProjectedFace<dim>    &slave,
+                const MasterPatch<dim>      &patch,
                 std::vector<Candidate<dim>> &candidates)
     {
+      const std::vector<Candidate<dim>> all = candidates;
+      const auto is_hidden = [&](const Candidate<dim> &candidate) {
+        return std::any_of(all.begin(), all.end(), [&](const auto &entered) {
+          return hides(entered.middle,
+                       entered.partner,
+                       candidate.partner,
+                       patch) &&
+                 overlap(slave, entered.projected, candidate.projected);
+        });
+      };
+      candidates.erase(std::remove_if(candidates.begin(),
+                                      candidates.end(),
+                                      is_hidden),
+                       candidates.end());
       std::stable_sort(candidates.begin(),
                        candidates.end(),
                        [](const auto &a, const auto &b) {
@@ -245,14 +307,16 @@ namespace stickslip
                         candidate.points);
         if (candidate.points.empty())
           continue;
-        measure_candidate(slave, shape, plane.n, nodes, candidate);
-        if (candidate.distance > patch.search_distance())
+        measure_candidate(slave, plane, patch, candidate);
+        if (candidate.distance > patch.tolerances.search_distance ||
+            !can_be_partners(candidate.middle, candidate.partner, patch))
           continue;
         covered += candidate.area;
         candidates.push_back(candidate);
       }
-    if (covered > (1. + no_overlap) * slave.area)
-      drop_hidden(projected, candidates);
+    if (covered > (1. + no_overlap) * slave.area ||
+        are_apart(candidates, patch))
+      drop_hidden(projected, patch, candidates);
 
     FaceSegments<dim> segments;
     const bool        is_curved = dim == 3 && shape.degree() > 1;

@@ -351,6 +351,7 @@ namespace stickslip
                       gap_offset,
                       "Function of x, y, z, t added to the gap [length]: a "
                       "positive value opens it.");
+    initial_gaps.add_parameters(prm);
     prm.add_parameter("Excluded boundaries",
                       excluded_boundaries,
                       "Nodes on these boundaries (ids or names) of the slave "
@@ -393,6 +394,7 @@ namespace stickslip
       throw UserError("'" + path +
                       "/Tresca threshold' must be larger than 0 with 'Friction "
                       "= Tresca'.");
+    initial_gaps.check(path);
     regularization.check(path + "/Regularization", quadrature);
   }
 } // namespace stickslip

@@ -1,8 +1,7 @@
 #ifndef stickslip_contact_pairing_contact_pair_h
 #define stickslip_contact_pairing_contact_pair_h
 
-#include <stickslip/base/space_time_function.h>
-
+#include <stickslip/contact/pairing/gap_offsets.h>
 #include <stickslip/contact/pairing/master_patch.h>
 #include <stickslip/contact/pairing/mortar_surface.h>
 #include <stickslip/contact/pairing/moved_nodes.h>
@@ -19,6 +18,18 @@
 
 namespace stickslip
 {
+  /// The boundary ids of the triangulation that make a pair.
+  struct PairSurfaces
+  {
+    std::set<types::boundary_id> slave;
+    std::set<types::boundary_id> master;
+    std::set<types::boundary_id> excluded;    ///< without contact
+    std::set<types::boundary_id> slave_body;  ///< all of this body
+    std::set<types::boundary_id> master_body; ///< likewise
+  };
+
+
+
   /// The pairings of all points of a pair in one configuration.
   template <int dim>
   struct FoundPairings
@@ -40,16 +51,13 @@ namespace stickslip
   public:
     /**
      * @p modulus is the longitudinal modulus of a cell by material id
-     * (infinity: rigid). The boundary ids are those of the triangulation.
-     * Throws UserError (same on all ranks). Collective.
+     * (infinity: rigid). Throws UserError (same on all ranks). Collective.
      */
-    ContactPair(const std::string                  &name,
-                const ContactPairParameters        &parameters,
-                const std::set<types::boundary_id> &slave_boundary,
-                const std::set<types::boundary_id> &master_boundary,
-                const std::set<types::boundary_id> &excluded_boundary,
-                const Mapping<dim>                 &mapping,
-                const DoFHandler<dim>              &dof_handler,
+    ContactPair(const std::string           &name,
+                const ContactPairParameters &parameters,
+                const PairSurfaces          &surfaces,
+                const Mapping<dim>          &mapping,
+                const DoFHandler<dim>       &dof_handler,
                 const std::function<double(const types::material_id)> &modulus,
                 const MPI_Comm &communicator);
 
@@ -77,10 +85,20 @@ namespace stickslip
     bool
     update_patch(const LA::Vector &u, const bool force);
 
-    /// Evaluates what the user adds to the gap at @p time. Throws UserError
-    /// (same on all ranks) if that is not a number somewhere. Collective.
+    /// Evaluates what is added to the gaps at @p time. Throws UserError (same
+    /// on all ranks) if that is not a number somewhere. Collective.
     void
-    update_gap_offsets(const double time);
+    update_gap_offsets(const double time)
+    {
+      gap_offsets.apply(time, communicator, points, mortar.get());
+    }
+
+    /// See GapOffsets.
+    void
+    set_depths_at_start(const std::vector<double> &depths)
+    {
+      gap_offsets.set_depths_at_start(depths);
+    }
 
     /// Positions of both sides from ghosted displacements, now and at the
     /// start of the step.
@@ -139,6 +157,7 @@ namespace stickslip
 
     const ContactPairParameters         parameters;
     const std::string                   name;
+    const PairSurfaces                  surfaces;
     const FaceShape<dim>                displacement_shape;
     const FaceShape<dim>                multiplier_shape;
     SlaveShapeTable<dim>                table;
@@ -165,7 +184,7 @@ namespace stickslip
     std::vector<SurfaceFace<dim>>
     searching_faces() const;
 
-    SpaceTimeFunction<dim>            gap_offset;
+    GapOffsets<dim>                   gap_offsets;
     MPI_Comm                          communicator;
     std::set<types::global_dof_index> excluded;
     SlaveConfiguration<dim>           slave_configuration;

@@ -66,23 +66,6 @@ namespace stickslip
     void
     update(const LA::Vector &u, const LA::Vector &u_old);
 
-    /**
-     * Pairs a slave point: the nearest face on which it projects, else the
-     * nearest edge or corner. @p slave_normal is the slave's outward normal;
-     * only master facets that look at it are considered. Does not depend on the
-     * order of faces. The face of @p last, the pairing to start from, is kept
-     * while the projection is at most `facet_overlap` times the factor of
-     * @p retention outside of it, and with EdgeRetention::beyond_end the point
-     * has a partner up to `end_overlap` beyond the end of the surface: without
-     * that a point at a kink or at the end may change its partner indefinitely.
-     * The tangent basis is not set.
-     */
-    Pairing<dim>
-    find(const Tensor<1, dim> &x_s,
-         const Tensor<1, dim> &slave_normal,
-         const Pairing<dim>   &last,
-         const EdgeRetention  &retention) const;
-
     /// Sets the number of the face of a pairing made before fetch().
     void
     relocate(Pairing<dim> &pairing) const;
@@ -99,10 +82,25 @@ namespace stickslip
     std::vector<unsigned int>
     faces_near(const std::vector<Tensor<1, dim>> &positions) const;
 
-    double
-    search_distance() const
+    /// Numbers of the faces whose boxes meet @p box, sorted.
+    std::vector<unsigned int>
+    faces_in(const BoundingBox<dim> &box) const;
+
+    /// The faces within the search distance of a point by distance of their
+    /// boxes [length]: those with the nearest boxes, @p at_most, or ...
+    std::vector<std::pair<double, unsigned int>>
+    nearest_boxes(const Tensor<1, dim> &x_s, const unsigned int at_most) const;
+
+    /// ... all of them.
+    std::vector<std::pair<double, unsigned int>>
+    all_boxes(const Tensor<1, dim> &x_s) const;
+
+    /// True if the master has moved so far in this step that, with the motion
+    /// @p of_slave [length], a point may have passed through a whole body.
+    bool
+    may_pass_through(const double of_slave) const
     {
-      return tolerances.search_distance;
+      return largest_motion + of_slave > thickness_of_thinnest;
     }
 
     unsigned int
@@ -146,6 +144,8 @@ namespace stickslip
       return owned;
     }
 
+    const PairingTolerances tolerances;
+
   private:
     using Box = std::pair<BoundingBox<dim>, unsigned int>;
 
@@ -155,21 +155,13 @@ namespace stickslip
     std::vector<MasterConfiguration<dim>> old;
     RTree<Box>                            tree;
     const FaceShape<dim>                  shape;
-    const PairingTolerances               tolerances;
     MPI_Comm                              communicator;
+    double thickness_of_thinnest = 0.; ///< of the faces [length]
+    double largest_motion        = 0.; ///< of a node in this step [length]
 
-    /// Candidate faces around @p x_s by distance of their boxes.
+    template <typename Hits>
     std::vector<std::pair<double, unsigned int>>
-    candidates(const Tensor<1, dim> &x_s, const unsigned int at_most) const;
-
-    /// Nearest of the candidates on which x_s projects, inside or on an edge.
-    Pairing<dim>
-    nearest(const Tensor<1, dim>                               &x_s,
-            const Tensor<1, dim>                               &slave_normal,
-            const std::vector<std::pair<double, unsigned int>> &candidates,
-            const EdgeRetention                                &retention,
-            const bool                                          on_edges,
-            double                                             &distance) const;
+    boxes_within_reach(const Point<dim> &x, const Hits &hits) const;
   };
 } // namespace stickslip
 

@@ -72,6 +72,13 @@ namespace stickslip
     void
     update_gap_offsets(const std::function<double(const Point<dim> &)> &offset);
 
+    /// What is added to the averaged gap of node @p i besides.
+    void
+    set_gap_offset(const unsigned int i, const double offset)
+    {
+      nodes[i].gap_offset = offset;
+    }
+
     /// Positions from ghosted displacements, now and at the start of the step.
     void
     update_configuration(const LA::Vector &u, const LA::Vector &u_old);

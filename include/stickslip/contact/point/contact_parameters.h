@@ -3,6 +3,7 @@
 
 #include <stickslip/base/choice.h>
 
+#include <stickslip/contact/point/initial_gaps.h>
 #include <stickslip/contact/surface/contact_quadrature.h>
 #include <stickslip/contact/surface/weighting_functions.h>
 
@@ -147,6 +148,8 @@ namespace stickslip
     std::string              gap_offset           = "0";
     std::vector<std::string> excluded_boundaries; ///< ids or names
     std::string              excluded_points;
+
+    InitialGaps initial_gaps;
 
     RegularizationParameters regularization;
 

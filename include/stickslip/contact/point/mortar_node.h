@@ -35,6 +35,7 @@ namespace stickslip
     /// per node of the stencil.
     std::vector<double> direction;
     double              area = 0.; ///< integral of psi_j, undeformed
+    double gap_offset = 0.; ///< of its own, beside that of the nodes [length]
     /// Onto the symmetry planes that the node lies on: its normal is in them,
     /// which the facets of one half do not know.
     Tensor<2, dim> projection = unit_symmetric_tensor<dim>();

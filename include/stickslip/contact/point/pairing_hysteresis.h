@@ -17,7 +17,7 @@ namespace stickslip
   /**
    * What a contact point remembers of its pairings, and what that means for the
    * next one. The pairing in a state x is a function of x and of this memory:
-   * MasterPatch::find() takes last() as the facet to start from and
+   * find_partner() takes last() as the facet to start from and
    * retention(). Only the functions accept_iterate(), accept_step() and
    * restore() change the memory, once per accepted Newton iterate (or frozen
    * geometry) and step; evaluations of trial states do not.

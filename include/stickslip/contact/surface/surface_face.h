@@ -14,6 +14,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <set>
 #include <vector>
 
@@ -85,6 +86,9 @@ namespace stickslip
       1.; ///< makes orientation * a_1 x a_2 point into the body
     double compliance = 0.; ///< cell height / longitudinal modulus; 0 if rigid
     double diameter   = 0.; ///< of the reference face
+    /// How far the undeformed body reaches behind the middle of the face, along
+    /// the normal [length] (pairing/local_thickness.h).
+    double thickness = std::numeric_limits<double>::infinity();
     std::vector<std::vector<NormalContribution<dim>>>
       nodal_normals; ///< empty: facet normals
 
@@ -99,7 +103,7 @@ namespace stickslip
     serialize(Archive &archive, const unsigned int)
     {
       archive &id &n_nodes &dofs &reference_positions &orientation &compliance
-        &diameter &nodal_normals;
+        &diameter &thickness &nodal_normals;
     }
   };
 
