@@ -130,9 +130,9 @@ CASES = {
     "bodies far from each other": (
         "floating_blocks.prm", blocks_held("Translation = 0, 9, 0") + section("Output", "Verbosity = progress"),
         0, ["0 of 3 points of 'upper' have 'lower' opposite", "can hardly meet", "9 apart"]),
-    "a part of a pair in another one": (
+    "a pair with slave and master exchanged": (
         "floating_blocks.prm", blocks_held("Translation = 0, 0.3, 0") + section("Output", "Verbosity = progress")
-        + interface("Slave body = upper", "Slave boundary = 1, 2", "Master body = lower", "Master boundary = 3", name="twice"),
+        + interface("Slave body = lower", "Slave boundary = 3", "Master body = upper", "Master boundary = 2", name="twice"),
         0, ["Warning: contact pairs 'interface' and 'twice' have the same surfaces"]),
     "a surface that is slave and master": (
         "floating_blocks.prm", blocks_held("Translation = 0, 0.3, 0") + section("Output", "Verbosity = progress")

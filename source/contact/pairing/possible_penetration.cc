@@ -33,9 +33,9 @@ namespace stickslip
     double
     level_with(const SearchingPoint<dim> &point,
                const SurfaceFace<dim>    &master,
-               const double               projection_tolerance)
+               const MasterPatch<dim>    &patch)
     {
-      return std::min({projection_tolerance * master.diameter,
+      return std::min({patch.tolerances.projection_tolerance * master.diameter,
                        point.thickness,
                        master.thickness});
     }
@@ -162,17 +162,30 @@ namespace stickslip
 
   template <int dim>
   bool
+  is_level(const SearchingPoint<dim>  &point,
+           const PossiblePartner<dim> &partner,
+           const MasterPatch<dim>     &patch)
+  {
+    return partner.n * (point.x - partner.x) <=
+           level_with(point, patch.face(partner.face), patch);
+  }
+
+
+
+  template <int dim>
+  bool
   can_be_partners(const SearchingPoint<dim>  &point,
                   const PossiblePartner<dim> &partner,
                   const MasterPatch<dim>     &patch)
   {
+    if (is_level(point, partner, patch))
+      return true;
     const SurfaceFace<dim> &master = patch.face(partner.face);
     const Depth             depth  = depth_of(point, partner);
     const double thickness = std::min(point.thickness, master.thickness);
     if (depth.now > thickness && partner.n * point.normal < along_way)
       return false;
-    if (std::min(depth.now, depth.at_start) <=
-        level_with(point, master, patch.tolerances.projection_tolerance))
+    if (depth.at_start <= level_with(point, master, patch))
       return true;
     return std::min(depth.now, depth.at_start) <= thickness &&
            (!partner.is_on_edge || is_inside_at_edge(point, partner, patch)) &&

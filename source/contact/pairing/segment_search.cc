@@ -42,6 +42,33 @@ namespace stickslip
 
 
 
+    /// Where the segments of a candidate are when the slave and the master
+    /// nodes are there: the mean over them.
+    template <int dim>
+    void
+    middle_of_segments(const std::vector<SegmentPoint<dim>> &points,
+                       const FaceShape<dim>                 &shape,
+                       const std::vector<Tensor<1, dim>>    &slave,
+                       const std::vector<Tensor<1, dim>>    &master,
+                       Tensor<1, dim>                       &on_slave,
+                       Tensor<1, dim>                       &on_master)
+    {
+      std::vector<double> N, N_master;
+      double              area = 0.;
+      for (const auto &point : points)
+        {
+          shape.evaluate_values(point.xi, N);
+          shape.evaluate_values(point.eta, N_master);
+          area += point.weight;
+          on_slave += point.weight * interpolate<dim>(N, slave);
+          on_master += point.weight * interpolate<dim>(N_master, master);
+        }
+      on_slave /= area;
+      on_master /= area;
+    }
+
+
+
     template <int dim>
     void
     measure_candidate(const MortarFace<dim>      &slave,
@@ -49,32 +76,31 @@ namespace stickslip
                       const MasterPatch<dim>     &patch,
                       Candidate<dim>             &candidate)
     {
-      const auto         &shape   = patch.face_shape();
-      const auto         &now     = patch.configuration(candidate.master);
-      const auto         &old     = patch.old_configuration(candidate.master);
-      auto               &middle  = candidate.middle;
-      auto               &partner = candidate.partner;
-      std::vector<double> N, N_master;
+      const FaceShape<dim> &shape   = patch.face_shape();
+      auto                 &middle  = candidate.middle;
+      auto                 &partner = candidate.partner;
       for (const auto &point : candidate.points)
-        {
-          shape.evaluate_values(point.xi, N);
-          shape.evaluate_values(point.eta, N_master);
-          candidate.area += point.weight;
-          middle.x += point.weight * interpolate<dim>(N, slave.positions);
-          middle.x_old +=
-            point.weight * interpolate<dim>(N, slave.old_positions);
-          partner.x += point.weight * interpolate<dim>(N_master, now.positions);
-          partner.x_old +=
-            point.weight * interpolate<dim>(N_master, old.positions);
-        }
-      for (auto *x : {&middle.x, &middle.x_old, &partner.x, &partner.x_old})
-        *x /= candidate.area;
+        candidate.area += point.weight;
+      middle_of_segments(candidate.points,
+                         shape,
+                         slave.positions,
+                         patch.configuration(candidate.master).positions,
+                         middle.x,
+                         partner.x);
       candidate.distance = std::abs((partner.x - middle.x) * plane.n);
       middle.normal      = plane.n;
       middle.thickness   = slave.face.thickness;
       middle.face_nodes  = &slave.positions;
       partner.face       = candidate.master;
       partner.n          = plane.n;
+      if (is_level(middle, partner, patch))
+        return;
+      middle_of_segments(candidate.points,
+                         shape,
+                         slave.old_positions,
+                         patch.old_configuration(candidate.master).positions,
+                         middle.x_old,
+                         partner.x_old);
       partner.n_old =
         projection_plane(slave.face, shape, slave.old_positions).n;
     }

@@ -48,6 +48,14 @@ namespace stickslip
   depth_of(const SearchingPoint<dim>  &point,
            const PossiblePartner<dim> &partner);
 
+  /// Whether the gap is open or so small that its history does not matter:
+  /// can_be_partners() then needs nothing of the start of the step.
+  template <int dim>
+  bool
+  is_level(const SearchingPoint<dim>  &point,
+           const PossiblePartner<dim> &partner,
+           const MasterPatch<dim>     &patch);
+
   /**
    * Whether the two points can be partners. Open gaps can. A negative gap can
    * if it is a penetration (doc/theory.md, section 1): the way from one point
