@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace stickslip
@@ -190,7 +191,11 @@ namespace stickslip
         const Tensor<1, dim - 1> step =
           invert(jacobian) * (p - plane.coordinates(x));
         xi += step;
-        if (step.norm() < 1e-13)
+        // the face may be far from the origin
+        const double roundoff = 4. * std::numeric_limits<double>::epsilon() *
+                                Tensor<1, dim>(plane.origin).norm() *
+                                invert(jacobian).norm();
+        if (step.norm() < 1e-13 + roundoff)
           return true;
         if (step.norm() > 1e3)
           return false;
