@@ -22,6 +22,9 @@ namespace stickslip
     /// do not meet.
     constexpr double out_of_reach = 5.;
 
+    /// Gaps below this fraction of a position are roundoff.
+    constexpr double smallest_gap_seen = 1e-12;
+
 
 
     /// The largest @p value over ranks that have any, and where it is.
@@ -114,9 +117,11 @@ namespace stickslip
           if (!point.pairing.paired)
             continue;
           ++start.n_paired;
-          const double     d_n = contact.evaluate(pair, point).kinematics.d_n;
           const Point<dim> x(point.geometry.reference_position);
-          depths.back() = d_n;
+          double           d_n = contact.evaluate(pair, point).kinematics.d_n;
+          depths.back()        = d_n;
+          if (std::abs(d_n) < smallest_gap_seen * x.norm())
+            d_n = 0.;
           if (d_n > start.largest_overlap)
             {
               start.largest_overlap = d_n;
@@ -132,7 +137,7 @@ namespace stickslip
         }
       take_largest(start.largest_overlap, start.overlap_at, communicator);
       take_largest(nearest, start.gap_at, communicator);
-      start.smallest_gap = -nearest;
+      start.smallest_gap = std::max(0., -nearest);
       for (unsigned int *count :
            {&start.n_points, &start.n_paired, &start.n_open})
         *count = Utilities::MPI::sum(*count, communicator);
