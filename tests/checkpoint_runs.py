@@ -172,8 +172,8 @@ def read_checkpoint(directory):
     return cells
 
 
-def differences_of_checkpoints(a, b):
-    """What differs between the states at the end."""
+def differences_of_checkpoints(a, b, n_nodes=4):
+    """What differs between the states at the end; a cell has N_NODES nodes."""
     a, b = read_checkpoint(a), read_checkpoint(b)
     if a.keys() != b.keys() or any(len(a[cell]) != len(b[cell]) for cell in a):
         return ["the cells"]
@@ -181,15 +181,16 @@ def differences_of_checkpoints(a, b):
     for record in a.values():
         for i, value in enumerate(record):
             scale[len(record), i] = max(scale.get((len(record), i), 0.), abs(value))
-    # Each record begins with displacement, forces, contact forces and rate of four nodes in two directions.
+    # Each record begins with displacement, forces, contact forces and rate of the nodes in two directions.
+    n_nodal = 4 * 2 * n_nodes
     for kind in range(4):
-        largest = max(value for (_, i), value in scale.items() if i < 32 and i % 4 == kind)
-        scale.update({key: largest for key in scale if key[1] < 32 and key[1] % 4 == kind})
+        largest = max(value for (_, i), value in scale.items() if i < n_nodal and i % 4 == kind)
+        scale.update({key: largest for key in scale if key[1] < n_nodal and key[1] % 4 == kind})
     return [f"number {i} of cell {cell}: {p!r}, {q!r}" for cell in a for i, (p, q) in enumerate(zip(a[cell], b[cell]))
             if not abs(p - q) <= TOLERANCE * scale[len(a[cell]), i]]
 
 
-def compare(runs, name, reference="uninterrupted"):
+def compare(runs, name, reference="uninterrupted", n_nodes=4):
     paths = runs.directory / reference, runs.directory / name
-    differences = differences_of_tables(*paths) + differences_of_checkpoints(*paths)
+    differences = differences_of_tables(*paths) + differences_of_checkpoints(*paths, n_nodes)
     check(not differences, f"{name} is like {reference}" + "".join("\n    " + d for d in differences[:10]))

@@ -115,6 +115,30 @@ def test_tables():
     check(error is not None and "no column 'd'; there are: a, b, c" in str(error), f"an unknown column: {error}")
 
 
+def simplex_volumes(points, cells):
+    """With the sign of their orientation."""
+    edges = points[cells[:, 1:]] - points[cells[:, :1]]
+    if edges.shape[1] == 2:
+        return np.cross(edges[:, 0], edges[:, 1])[:, 2] / 2
+    return np.linalg.det(edges) / 6
+
+
+def test_simplices():
+    """Triangles and tetrahedra of degree 2 are written as linear ones, which fill the body."""
+    block_3d = {"Dimension": 3, "Boundary conditions/foot/Value": "free; 0; 0", "Boundary conditions/side/Value": "0; free; free",
+                "Boundary conditions/top/Value": "free; -0.1*t; free", "Output/Points/A/Position": (2, 2, 2)}
+    formats = ["vtu", "hdf5"] if has("h5py") else ["vtu"]
+    for dim, case, kind, n_cut, n_parts in ((2, {}, 5, 32, 4), (3, block_3d, 10, 192, 8)):
+        for degree, form in ((degree, form) for degree in (1, 2) for form in formats):
+            grid = stickslip.run(BLOCK, {**case, "Bodies/block/Simplices": True, "Output/Format": form}, Degree=degree,
+                                 directory="simplices").bodies.steps[-1].arrays()
+            volumes = simplex_volumes(grid.points, grid.cells[0][1])
+            name = f"simplices, {dim}D, degree {degree}, {form}: "
+            check([k for k, _ in grid.cells] == [kind] and len(volumes) == n_cut * (n_parts if degree == 2 else 1), name + "cells")
+            check(volumes.min() > 0 and abs(volumes.sum() - 2**dim) < 1e-6, name + f"they fill the block, {volumes.sum()}")
+            check(np.allclose(grid.point_data["displacement"][:, 1], -0.05 * grid.points[:, 1]), name + "displacement is -0.05 y")
+
+
 def test_fields():
     if not has("vtk"):
         error = error_of(stickslip.Results("bar").bodies.steps[-1].vtk, stickslip.ResultsError)
@@ -184,7 +208,7 @@ def test_install():
 
 
 os.chdir(fresh_directory(sys.argv[3]))
-for test in (test_run, test_tables, test_fields, test_refused, test_install):
+for test in (test_run, test_tables, test_fields, test_simplices, test_refused, test_install):
     test()
 print(f"{len(failures)} checks failed")
 sys.exit(1 if failures else 0)

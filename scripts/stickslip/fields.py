@@ -20,8 +20,8 @@ import numpy as np
 from .errors import ResultsError
 
 # Numbers of VTK's cells: in XDMF files, and what meshio calls them.
-XDMF_CELLS = {"Polyline": 3, "Quadrilateral": 9, "Hexahedron": 12}
-MESHIO_CELLS = {3: "line", 9: "quad", 12: "hexahedron", 68: "VTK_LAGRANGE_CURVE", 70: "VTK_LAGRANGE_QUADRILATERAL",
+XDMF_CELLS = {"Polyline": 3, "Triangle": 5, "Quadrilateral": 9, "Tetrahedron": 10, "Hexahedron": 12}
+MESHIO_CELLS = {3: "line", 5: "triangle", 9: "quad", 10: "tetra", 12: "hexahedron", 68: "VTK_LAGRANGE_CURVE", 70: "VTK_LAGRANGE_QUADRILATERAL",
                 72: "VTK_LAGRANGE_HEXAHEDRON"}
 
 

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace stickslip
@@ -69,9 +70,38 @@ namespace stickslip
 
 
 
-    /// Boundary, material and manifold ids stay. New vertices are in the middle
-    /// of straight edges and faces: refinements that have gone before have
-    /// followed the curves.
+    template <int dim>
+    struct SmallerCoordinates
+    {
+      bool
+      operator()(const Point<dim> &a, const Point<dim> &b) const
+      {
+        return std::lexicographical_compare(a.begin_raw(),
+                                            a.end_raw(),
+                                            b.begin_raw(),
+                                            b.end_raw());
+      }
+    };
+
+
+
+    /// For the middles of faces and cells, where GridGenerator puts vertices as
+    /// if all sides were straight, the middles that the manifolds know.
+    template <int dim>
+    std::map<Point<dim>, Point<dim>, SmallerCoordinates<dim>>
+    middles_on_curves(const Triangulation<dim> &triangulation)
+    {
+      std::map<Point<dim>, Point<dim>, SmallerCoordinates<dim>> middles;
+      for (const auto &cell : triangulation.active_cell_iterators())
+        middles[cell->center()] = cell->center(true);
+      for (const auto &face : triangulation.active_face_iterators())
+        middles[face->center()] = face->center(true);
+      return middles;
+    }
+
+
+
+    /// Boundary, material and manifold ids stay.
     template <int dim>
     void
     cut_into_simplices(const std::string  &path,
@@ -84,6 +114,13 @@ namespace stickslip
       Triangulation<dim> flat, simplices;
       GridGenerator::flatten_triangulation(triangulation, flat);
       GridGenerator::convert_hypercube_to_simplex_mesh(flat, simplices);
+      const auto middles = middles_on_curves(triangulation);
+      GridTools::transform(
+        [&](const Point<dim> &x) {
+          const auto middle = middles.find(x);
+          return middle == middles.end() ? x : middle->second;
+        },
+        simplices);
       for (const types::manifold_id id : simplices.get_manifold_ids())
         if (id != numbers::flat_manifold_id)
           simplices.set_manifold(id, triangulation.get_manifold(id));
