@@ -123,6 +123,18 @@ def simplex_volumes(points, cells):
     return np.linalg.det(edges) / 6
 
 
+def free_surface(points, cells):
+    """The area of the faces that one cell has; nan if some have more than two."""
+    dim = cells.shape[1] - 1
+    faces = np.concatenate([np.delete(cells, i, axis=1) for i in range(dim + 1)])
+    corners = np.round(points[faces], 9) + 0.
+    keys = np.array([sorted(map(tuple, face)) for face in corners]).reshape(len(faces), -1)
+    _, first, counts = np.unique(keys, axis=0, return_index=True, return_counts=True)
+    edges = points[faces[first, 1:]] - points[faces[first, :1]]
+    areas = np.linalg.norm(edges[:, 0] if dim == 2 else np.cross(edges[:, 0], edges[:, 1]) / 2, axis=1)
+    return areas[counts == 1].sum() if counts.max() == 2 else np.nan
+
+
 def test_simplices():
     """Triangles and tetrahedra of degree 2 are written as linear ones, which fill the body."""
     block_3d = {"Dimension": 3, "Boundary conditions/foot/Value": "free; 0; 0", "Boundary conditions/side/Value": "0; free; free",
@@ -136,6 +148,8 @@ def test_simplices():
             name = f"simplices, {dim}D, degree {degree}, {form}: "
             check([k for k, _ in grid.cells] == [kind] and len(volumes) == n_cut * (n_parts if degree == 2 else 1), name + "cells")
             check(volumes.min() > 0 and abs(volumes.sum() - 2**dim) < 1e-6, name + f"they fill the block, {volumes.sum()}")
+            surface = free_surface(grid.points, grid.cells[0][1])
+            check(abs(surface - dim * 2**dim) < 1e-6, name + f"they fit together, {surface}")
             check(np.allclose(grid.point_data["displacement"][:, 1], -0.05 * grid.points[:, 1]), name + "displacement is -0.05 y")
 
 
