@@ -58,7 +58,7 @@ namespace
     try
       {
         check_multipliers_are_determined(midpoints<facedim>(n),
-                                         1,
+                                         FaceShape<facedim + 1>(1),
                                          "Contact/pair");
         std::cout << "enough points\n";
       }
