@@ -5,6 +5,7 @@
 
 #include <stickslip/base/user_error.h>
 
+#include <stickslip/contact/point/contact_kinematics.h>
 #include <stickslip/contact/surface/contact_quadrature.h>
 #include <stickslip/contact/surface/normal_projection.h>
 #include <stickslip/contact/surface/weighting_functions.h>
@@ -14,6 +15,7 @@
 #include <deal.II/fe/fe_simplex_p.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -123,6 +125,65 @@ namespace
 
 
 
+  /// D xi of a point above the slanting edge against differences of the
+  /// projection, when the point and the nodes move.
+  void
+  test_derivative(const SurfaceFace<3>         &face,
+                  const MasterConfiguration<3> &configuration,
+                  const FaceShape<3>           &shape,
+                  const Tensor<1, 3>           &x)
+  {
+    using G              = GeneralizedCoordinates<3>;
+    const auto projected = [&](const double h) {
+      MasterConfiguration<3> moved = configuration;
+      for (unsigned int j = 0; j < moved.positions.size(); ++j)
+        for (unsigned int c = 0; c < 3; ++c)
+          moved.positions[j][c] += h * std::sin(2. * j + 3. * c);
+      const Tensor<1, 3> x_moved = x + h * Tensor<1, 3>({0.5, -0.3, 0.8});
+      return project_on_boundary_of_face(face, moved, shape, x_moved);
+    };
+    const auto     p = projected(0.);
+    MasterPoint<3> master;
+    evaluate_master_point(face, configuration, shape, p.xi, master);
+    Pairing<3> frame;
+    frame.xi   = p.xi;
+    frame.free = p.free;
+    frame.n    = master.n;
+    SlavePosition<3> slave;
+    slave.x = slave.x_old = x;
+    slave.direction       = master.a[0];
+    frame.tau             = tangent_basis<3>(frame.n, slave.direction);
+    ContactKinematics<3> kinematics;
+    evaluate_contact_kinematics(
+      frame, master, master, slave, false, true, true, kinematics);
+
+    std::array<double, G::n> motion{};
+    for (unsigned int c = 0; c < 3; ++c)
+      {
+        motion[G::W + c] = Tensor<1, 3>({0.5, -0.3, 0.8})[c];
+        for (unsigned int j = 0; j < shape.n_nodes(); ++j)
+          {
+            const double of_node = std::sin(2. * j + 3. * c);
+            motion[G::W + c] -= master.shape.value[j] * of_node;
+            for (unsigned int d = 0; d < 2; ++d)
+              motion[G::C + d * 3 + c] += master.shape.gradient[j][d] * of_node;
+          }
+      }
+    const double       h     = 1e-5;
+    const Tensor<1, 2> slope = (projected(h).xi - projected(-h).xi) / (2. * h);
+    bool               is_right = p.free == EdgeMotion<3>{{-1, 1}};
+    for (unsigned int d = 0; d < 2; ++d)
+      {
+        double D_xi = 0.;
+        for (unsigned int c = 0; c < G::n; ++c)
+          D_xi += kinematics.D_xi[d][c] * motion[c];
+        is_right = is_right && std::abs(D_xi - slope[d]) < 1e-7;
+      }
+    print("  derivative on the slanting edge", is_right);
+  }
+
+
+
   void
   test_projection(const unsigned int degree)
   {
@@ -185,6 +246,7 @@ namespace
       }
     print("  outside not found", outside);
     print("  edges", edges);
+    test_derivative(face, configuration, shape, above(Point<2>(0.55, 0.55)));
   }
 } // namespace
 
