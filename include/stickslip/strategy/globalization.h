@@ -3,8 +3,8 @@
 
 #include <stickslip/strategy/convergence_criterion.h>
 #include <stickslip/strategy/line_search.h>
-#include <stickslip/strategy/newton_problem.h>
 #include <stickslip/strategy/newton_parameters.h>
+#include <stickslip/strategy/newton_problem.h>
 
 #include <optional>
 

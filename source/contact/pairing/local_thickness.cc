@@ -100,7 +100,9 @@ namespace stickslip
                   make_facet<2>({{face->vertex(0), face->vertex(1)}},
                                 cell->center()));
               else
-                for (const unsigned int corner : {0, 3})
+                // a quadrilateral has a second half
+                for (unsigned int corner = 0; corner < face->n_vertices();
+                     corner += 3)
                   facets.push_back(make_facet<3>(
                     {{face->vertex(corner), face->vertex(1), face->vertex(2)}},
                     cell->center()));

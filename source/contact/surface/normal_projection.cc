@@ -74,7 +74,7 @@ namespace stickslip
     unsigned int
     vertex_at(const Point<2> &corner)
     {
-      return static_cast<unsigned int>(corner[0] + 2. * corner[1] + 0.5);
+      return std::lround(corner[0] + 2. * corner[1]);
     }
 
 

@@ -8,6 +8,8 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <deal.II/grid/reference_cell.h>
+
 #include <vector>
 
 namespace stickslip
