@@ -117,7 +117,8 @@ class Runs:
 
     def run(self, name, n_ranks=1, restart=None, options=(), exit_code=0, case="case.prm"):
         """Runs the case; returns all that was printed."""
-        command = ["mpirun", "-np", str(n_ranks), self.program, case, "--output-directory", name]
+        command = ["mpirun", "-np", str(n_ranks)] if n_ranks > 1 else []
+        command += [self.program, case, "--output-directory", name]
         for option in options:
             command += ["--set", option]
         if restart:

@@ -6,6 +6,7 @@ import shutil
 import subprocess
 
 MARK = ".of_a_test"
+OF_ONE_RANK = pathlib.Path(__file__).resolve().parents[1] / "scripts" / "environment_of_one_rank"
 
 
 def fresh_directory(path):
@@ -20,8 +21,9 @@ def fresh_directory(path):
 
 
 def environment_of(ranks):
-    """The environment of a run: on one rank nobody is waited for (scripts/environment)."""
-    return {**os.environ, **({"OMPI_MCA_mpi_yield_when_idle": "0"} if ranks == 1 else {})}
+    """The environment of a run, which on one rank is started without mpirun."""
+    lines = OF_ONE_RANK.read_text().split("\n") if ranks == 1 else []
+    return {**os.environ, **dict(line.split("=", 1) for line in lines if line and not line.startswith("#"))}
 
 
 def start(program, arguments, ranks=1):

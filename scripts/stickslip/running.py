@@ -18,19 +18,20 @@ LOG = "log.txt"  # in an output directory: what the program has printed
 STATES = {0: "done", 1: "wrong input", 2: "no convergence", 3: "internal error", 4: "check failed", 5: "interrupted"}
 
 
+def variables_in(name: str) -> dict[str, str]:
+    """Those that a file of NAME=value lines sets."""
+    lines = (HERE / name).read_text().split("\n")
+    return dict(line.split("=", 1) for line in lines if line and not line.startswith("#"))
+
+
 def environment() -> dict[str, str]:
     """The caller's environment with that of a run on top (scripts/environment)."""
-    variables = dict(os.environ)
-    for line in (HERE / "environment").read_text().split("\n"):
-        if line and not line.startswith("#"):
-            name, value = line.split("=", 1)
-            variables[name] = value
-    return variables
+    return {**os.environ, **variables_in("environment")}
 
 
 def variables_of(ranks: int) -> dict[str, str]:
-    """What the environment has to say besides: one rank waits for nobody."""
-    return {} if ranks > 1 else {"OMPI_MCA_mpi_yield_when_idle": "0"}
+    """What the environment has to say besides if a run is started without mpirun, on one rank."""
+    return {} if ranks > 1 else variables_in("environment_of_one_rank")
 
 
 def find_program() -> str:
