@@ -14,9 +14,9 @@ guards follow the file name; nothing is called utils, helpers, common, manager.
 """
 import pathlib
 import re
-import sys
 import tempfile
 
+from check_runner import run_check
 from std_headers import missing_headers, unknown_names
 
 # A folder may include itself and these, with what is inside them. Arrows go one
@@ -226,15 +226,5 @@ def self_test():
     return failures
 
 
-def main():
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    found = self_test() if sys.argv[1] == "--self-test" else list(violations(pathlib.Path(sys.argv[1])))
-    for message in found:
-        print(message)
-    print(f"{len(found)} violations")
-    sys.exit(1 if found else 0)
-
-
 if __name__ == "__main__":
-    main()
+    run_check(__doc__, violations, self_test)

@@ -11,9 +11,9 @@ doc/symptoms.md has a row for each cause of failure that the program names.
 """
 import pathlib
 import re
-import sys
 import tempfile
 
+from check_runner import run_check
 from example_test import SHORTER
 
 LARGEST_PICTURE = 100_000  # bytes
@@ -113,15 +113,5 @@ def self_test():
     return failures
 
 
-def main():
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    found = self_test() if sys.argv[1] == "--self-test" else list(violations(pathlib.Path(sys.argv[1]), SHORTER))
-    for message in found:
-        print(message)
-    print(f"{len(found)} violations")
-    sys.exit(1 if found else 0)
-
-
 if __name__ == "__main__":
-    main()
+    run_check(__doc__, lambda root: violations(root, SHORTER), self_test)

@@ -13,10 +13,10 @@ exist. doc/parameters.md, which the program writes, need not keep the length.
 """
 import pathlib
 import re
-import sys
 import tempfile
 
 from check_includes import MAY_INCLUDE
+from check_runner import run_check
 
 MAX_LENGTH = 120
 WRITTEN_BY_THE_PROGRAM = ["doc/parameters.md"]
@@ -179,15 +179,5 @@ def self_test():
     return failures
 
 
-def main():
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    found = self_test() if sys.argv[1] == "--self-test" else list(violations(pathlib.Path(sys.argv[1]), MAY_INCLUDE))
-    for message in found:
-        print(message)
-    print(f"{len(found)} violations")
-    sys.exit(1 if found else 0)
-
-
 if __name__ == "__main__":
-    main()
+    run_check(__doc__, lambda root: violations(root, MAY_INCLUDE), self_test)
