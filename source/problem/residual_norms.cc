@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace stickslip
 {
@@ -18,14 +19,35 @@ namespace stickslip
 
 
 
+    /// What a node that is held along an oblique direction passes on: the
+    /// component that is held depends on the others, so that their rows get
+    /// its share of the reaction. They belong to the same rank.
+    std::map<types::global_dof_index, double>
+    forces_passed_on(const LA::Vector &unbalanced, const Constraints &increment)
+    {
+      std::map<types::global_dof_index, double> passed;
+      for (const auto i : unbalanced.locally_owned_elements())
+        if (const auto *const entries = increment.get_constraint_entries(i))
+          for (const auto &[j, weight] : *entries)
+            if (unbalanced(i) != 0.)
+              passed[j] += weight * unbalanced(i);
+      return passed;
+    }
+
+
+
     void
     add_forces(const ResidualParts &parts,
                const Constraints   &increment,
                Squares             &squares)
     {
+      const auto passed = forces_passed_on(parts.unbalanced, increment);
       for (const auto i : parts.unbalanced.locally_owned_elements())
         {
-          const double r = parts.unbalanced(i), load = parts.loads(i);
+          const auto   from = passed.find(i);
+          const double r    = parts.unbalanced(i) +
+                           (from == passed.end() ? 0. : from->second),
+                       load = parts.loads(i);
           (increment.is_constrained(i) ? squares.reactions
                                        : squares.imbalance) += r * r;
           squares.loads += load * load;

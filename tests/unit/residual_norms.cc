@@ -79,4 +79,15 @@ main(int argc, char *argv[])
   excluded.increment.add_line(3);
   excluded.increment.close();
   excluded.show("the first row constrained");
+
+  // u_1 = -2 u_0: held along (2, 1), free along (1, -2). The reaction is
+  // 1.5 (2, 1); what is left of (3, 1.5) along the free direction is nothing.
+  Planted oblique;
+  oblique.increment.reinit();
+  oblique.increment.add_line(1);
+  oblique.increment.add_entry(1, 0, -2.);
+  oblique.increment.add_line(2);
+  oblique.increment.close();
+  oblique.unbalanced(1) = 1.5;
+  oblique.show("held along an oblique direction: no imbalance");
 }
