@@ -210,6 +210,9 @@ namespace stickslip
 #define INSTANTIATE(dim)                                       \
   template Depth depth_of(const SearchingPoint<dim> &,         \
                           const PossiblePartner<dim> &);       \
+  template bool  is_level(const SearchingPoint<dim> &,         \
+                          const PossiblePartner<dim> &,        \
+                          const MasterPatch<dim> &);           \
   template bool  can_be_partners(const SearchingPoint<dim> &,  \
                                  const PossiblePartner<dim> &, \
                                  const MasterPatch<dim> &);    \
