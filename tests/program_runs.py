@@ -6,7 +6,7 @@ import shutil
 import subprocess
 
 MARK = ".of_a_test"
-OF_ONE_RANK = pathlib.Path(__file__).resolve().parents[1] / "scripts" / "environment_of_one_rank"
+SCRIPTS = pathlib.Path(__file__).resolve().parents[1] / "scripts"
 
 
 def fresh_directory(path):
@@ -20,10 +20,15 @@ def fresh_directory(path):
     return path
 
 
+def variables_in(name):
+    """Those that a file of NAME=value lines sets."""
+    lines = (SCRIPTS / name).read_text().split("\n")
+    return dict(line.split("=", 1) for line in lines if line and not line.startswith("#"))
+
+
 def environment_of(ranks):
     """The environment of a run, which on one rank is started without mpirun."""
-    lines = OF_ONE_RANK.read_text().split("\n") if ranks == 1 else []
-    return {**os.environ, **dict(line.split("=", 1) for line in lines if line and not line.startswith("#"))}
+    return {**variables_in("environment"), **os.environ, **(variables_in("environment_of_one_rank") if ranks == 1 else {})}
 
 
 def start(program, arguments, ranks=1):
