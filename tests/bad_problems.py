@@ -291,6 +291,40 @@ CASES = {
         "plate.prm", own_condition("Body = plate", "Boundary = 0", "Type = periodic", "Direction = x"), WRONG_INPUT, ["Boundary conditions/own", "'Second boundary'"]),
     "periodic boundaries that do not match": (
         "plate.prm", own_condition("Body = plate", "Boundary = 0", "Second boundary = 3", "Type = periodic", "Direction = x"), WRONG_INPUT, ["face to face", "10 coarse faces"]),
+    "an amplitude that nobody has made": (
+        "plate.prm", own_condition("Body = plate", "Boundary = 3", "Type = pressure", "Value = 1", "Amplitude = rmap")
+        + section("Amplitudes", "x = 1").replace("set x = 1", "subsection ramp\n set Table = 0: 0, 1: 1\n end"),
+        WRONG_INPUT, ["Boundary conditions/own/Amplitude", "'rmap'", "Did you mean 'ramp'"]),
+    "an amplitude without points": ("plate.prm", "subsection Amplitudes\n subsection a\n end\nend", WRONG_INPUT, ["Amplitudes/a", "'Table' or 'File'"]),
+    "an amplitude with a table and a file": (
+        "plate.prm", "subsection Amplitudes\n subsection a\n set Table = 0: 0, 1: 1\n set File = b.csv\n end\nend", WRONG_INPUT, ["Amplitudes/a", "not both"]),
+    "an amplitude of the past": (
+        "plate.prm", "subsection Amplitudes\n subsection a\n set Table = 0: 0, 1: 1, 0.5: 2\n end\nend", WRONG_INPUT, ["Amplitudes/a", "0.5 comes after 1"]),
+    "an amplitude of no file": (
+        "plate.prm", "subsection Amplitudes\n subsection a\n set File = no_such.csv\n end\nend", WRONG_INPUT, ["Amplitudes/a/File", "no_such.csv"]),
+    "a file of text as amplitude": (
+        "plate.prm", "subsection Amplitudes\n subsection a\n set File = case.prm\n end\nend", WRONG_INPUT, ["case.prm:", "numbers", "Amplitudes/a/File"]),
+    "an amplitude that jumps when it is repeated": (
+        "plate.prm", "subsection Amplitudes\n subsection a\n set Table = 0: 0, 1: 1\n set Repeat = true\n end\nend", WRONG_INPUT, ["Amplitudes/a/Repeat", "same"]),
+    "an amplitude of a spring": (
+        "plate.prm", own_condition("Body = plate", "Boundary = 3", "Type = spring", "Stiffness = 1", "Amplitude = a"), WRONG_INPUT, ["Boundary conditions/own/Amplitude", "spring"]),
+    "a condition that never acts": (
+        "plate.prm", own_condition("Body = plate", "Boundary = 3", "Type = pressure", "Value = 1", "Active from = 2", "Active until = 1"),
+        WRONG_INPUT, ["Boundary conditions/own/Active until is 1", "never act"]),
+    "a condition that acts from some day on": (
+        "plate.prm", own_condition("Body = plate", "Boundary = 3", "Type = pressure", "Value = 1", "Active from = Monday"),
+        WRONG_INPUT, ["Boundary conditions/own/Active from", "'Monday'"]),
+    "a rigid body for a while": (
+        "plate.prm", own_condition("Body = base", "Type = rigid motion", "Active until = 0.5"), WRONG_INPUT, ["Boundary conditions/own", "'base' is rigid", "Active until"]),
+    "cylindrical components of a pressure": (
+        "plate.prm", own_condition("Body = plate", "Boundary = 3", "Type = pressure", "Value = 1", "Components = cylindrical"), WRONG_INPUT, ["Boundary conditions/own/Components", "pressure"]),
+    "a node on the axis": (
+        "plate.prm", own_condition("Body = plate", "Boundary = 3", "Value = 0; free", "Components = cylindrical", "Rotation centre = 40, 40"), WRONG_INPUT, ["Boundary conditions/own", "axis"]),
+    "an unknown constant": ("plate.prm", section("Constants", "width = 40") + "set Title = {widht}", WRONG_INPUT, ["'Title'", "{widht}".strip("{}"), "'width'"]),
+    "half a brace": ("plate.prm", "set Title = {width", WRONG_INPUT, ["'Title'", "braces"]),
+    "a constant that is no number": ("plate.prm", section("Constants", "width = wide"), WRONG_INPUT, ["Constants/width", "wide"]),
+    "an infinite constant": ("plate.prm", section("Constants", "width = 1/0"), WRONG_INPUT, ["Constants/width", "finite"]),
+    "a constant with a blank": ("plate.prm", section("Constants", "wide plate = 1"), WRONG_INPUT, ["Constants/wide plate", "letters"]),
     "a body force of one component": ("plate.prm", own_condition("Body = plate", "Type = body force", "Value = 1"), WRONG_INPUT, ["Boundary conditions/own/Value", "2 components"]),
     "a load on a rigid body": (
         "plate.prm", own_condition("Body = base", "Boundary = 3", "Type = pressure", "Value = 1"), WRONG_INPUT, ["Boundary conditions/own", "'base' is rigid"]),

@@ -1,6 +1,7 @@
 #include <stickslip/base/parameter_file.h>
 
 #include <stickslip/base/declared_parameters.h>
+#include <stickslip/base/named_constants.h>
 #include <stickslip/base/nearest_name.h>
 #include <stickslip/base/parameter_setter.h>
 #include <stickslip/base/user_error.h>
@@ -91,7 +92,42 @@ namespace stickslip
           other = entry;
           return;
         }
+    // Nobody would notice a new one that nothing uses.
+    if (is_about_constants(entry))
+      throw UserError("--set '" + assignment + "': '" + name() +
+                      "' has no such constant.");
     statements.entries.push_back(entry);
+  }
+
+
+
+  ParameterFile
+  ParameterFile::with_constants_inserted() const
+  {
+    const NamedConstants constants(statements.entries);
+    ParameterFile        result;
+    result.file_name = file_name;
+    for (const ParameterStatement &section : statements.sections)
+      if (!is_about_constants(section))
+        result.statements.sections.push_back(section);
+
+    std::string errors;
+    for (ParameterStatement entry : statements.entries)
+      if (!is_about_constants(entry))
+        try
+          {
+            entry.value = constants.inserted_in(entry.value,
+                                                entry.location() + ": '" +
+                                                  entry.full_name() + "'");
+            result.statements.entries.push_back(entry);
+          }
+        catch (const UserError &error)
+          {
+            errors += (errors.empty() ? "" : "\n") + std::string(error.what());
+          }
+    if (!errors.empty())
+      throw UserError(errors);
+    return result;
   }
 
 

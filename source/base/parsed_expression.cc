@@ -1,5 +1,6 @@
 #include <stickslip/base/parsed_expression.h>
 
+#include <stickslip/base/nearest_name.h>
 #include <stickslip/base/short_message.h>
 #include <stickslip/base/user_error.h>
 
@@ -69,6 +70,35 @@ namespace stickslip
                         short_message(exception));
       }
     return parser;
+  }
+
+
+
+  double
+  evaluate_expression(const std::string                   &expression,
+                      const std::map<std::string, double> &constants,
+                      const std::string                   &place)
+  {
+    if (expression.find_first_not_of(" \t") == std::string::npos)
+      throw UserError(place + ": there is no expression to evaluate.");
+    std::map<std::string, double> known = constants;
+    known["pi"]                         = numbers::PI;
+    try
+      {
+        const SilentErrorStream silence;
+        FunctionParser<1>       parser(1);
+        parser.initialize("_", {expression}, known);
+        return parser.value(Point<1>());
+      }
+    catch (const std::exception &exception)
+      {
+        std::vector<std::string> names;
+        for (const auto &constant : constants)
+          names.push_back(constant.first);
+        throw UserError(place + ": cannot evaluate '" + expression +
+                        "' with the constants " + quoted_list(names) + ". " +
+                        short_message(exception));
+      }
   }
 
 

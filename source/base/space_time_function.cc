@@ -63,7 +63,8 @@ namespace stickslip
     for (unsigned int d = 0; d < dim; ++d)
       position[d] = reference_position[d];
     parser->set_time(time);
-    return parser->value(position, component);
+    return (amplitude ? amplitude->value(time) : 1.) *
+           parser->value(position, component);
   }
 
 

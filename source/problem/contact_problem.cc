@@ -38,12 +38,13 @@ namespace stickslip
     const NamedList<MaterialParameters>          &materials,
     const NamedList<BoundaryConditionParameters> &conditions,
     const NamedList<ContactPairParameters>       &contact_pairs,
-    const bool                                    quasi_tangent)
+    const bool                                    quasi_tangent,
+    const Amplitudes                             &amplitudes)
     : mesh(mesh)
     , communicator(mesh.triangulation->get_communicator())
     , dofs(*mesh.triangulation, degree)
     , quasi_tangent(quasi_tangent)
-    , boundary_conditions(conditions, mesh.bodies)
+    , boundary_conditions(conditions, mesh.bodies, amplitudes)
   {
     solid_assembler = std::make_unique<SolidAssembler<dim>>(
       dofs.mapping,
@@ -217,6 +218,8 @@ namespace stickslip
   ContactProblem<dim>::begin_step(const double           new_time,
                                   const LA::BlockVector &accepted)
   {
+    if (!boundary_conditions.hold_the_same(time, new_time))
+      sparsity->invalidate();
     time  = new_time;
     x_old = accepted;
     forget_state();

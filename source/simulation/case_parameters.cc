@@ -1,6 +1,7 @@
 #include <stickslip/simulation/case_parameters.h>
 
 #include <stickslip/base/declared_parameters.h>
+#include <stickslip/base/named_constants.h>
 #include <stickslip/base/nearest_name.h>
 #include <stickslip/base/print_parameters.h>
 #include <stickslip/base/user_error.h>
@@ -124,6 +125,7 @@ namespace stickslip
                       Patterns::Integer(1, 6));
     add_named_list(prm, "Bodies", bodies);
     add_named_list(prm, "Materials", materials);
+    add_named_list(prm, "Amplitudes", amplitudes);
     add_named_list(prm, "Boundary conditions", boundary_conditions);
     add_named_list(prm, "Contact", contact_pairs);
     prm.enter_subsection("Mesh");
@@ -153,10 +155,12 @@ namespace stickslip
 
 
   void
-  CaseParameters::read(const ParameterFile &file, ParameterHandler &prm)
+  CaseParameters::read(const ParameterFile &given, ParameterHandler &prm)
   {
+    const ParameterFile file = given.with_constants_inserted();
     file.declare_names("Bodies", bodies);
     file.declare_names("Materials", materials);
+    file.declare_names("Amplitudes", amplitudes);
     file.declare_names("Boundary conditions", boundary_conditions);
     file.declare_names("Contact", contact_pairs);
     file.declare_names("Output/Points", output.points);
@@ -175,6 +179,7 @@ namespace stickslip
     mesh.bytes_per_cell    = matrix_bytes_per_cell(dimension, degree);
     mesh.bytes_per_simplex = matrix_bytes_per_simplex(dimension, degree);
     check();
+    request_ends_of_intervals();
     const DeclaredSection all = declared_parameters(prm);
     if (!materials.empty())
       add_values(all, "Materials", physics);
@@ -197,6 +202,8 @@ namespace stickslip
                                           MaterialParameters());
         parameters.materials.back().second.choose_law(law, "Materials");
       }
+    NamedConstants::declare_placeholder(prm);
+    parameters.amplitudes.emplace_back("<amplitude>", AmplitudeParameters());
     parameters.boundary_conditions.emplace_back("<condition>",
                                                 BoundaryConditionParameters());
     parameters.contact_pairs.emplace_back("<pair>", ContactPairParameters());
@@ -218,6 +225,7 @@ namespace stickslip
     check_named_list("Bodies", bodies);
     for (const auto &[name, material] : materials)
       material.check("Materials/" + name, dimension, degree);
+    check_named_list("Amplitudes", amplitudes);
     check_named_list("Boundary conditions", boundary_conditions);
     check_named_list("Contact", contact_pairs);
     if (needs_law_per_multiplier(algorithm.name))
@@ -286,6 +294,33 @@ namespace stickslip
           requests.push_back(request);
         }
     return requests;
+  }
+
+
+
+  Amplitudes
+  CaseParameters::make_amplitudes(const MPI_Comm communicator) const
+  {
+    return stickslip::make_amplitudes(amplitudes,
+                                      mesh.input_directory,
+                                      communicator);
+  }
+
+
+
+  void
+  CaseParameters::request_ends_of_intervals()
+  {
+    std::vector<double> &times = load_stepping.requested_times;
+    for (const auto &[name, condition] : boundary_conditions)
+      {
+        const ActiveInterval interval =
+          condition.active_interval("Boundary conditions/" + name);
+        for (const double end : {interval.from, interval.until})
+          if (end > 0. && end < load_stepping.end_time &&
+              std::find(times.begin(), times.end(), end) == times.end())
+            times.push_back(end);
+      }
   }
 
 

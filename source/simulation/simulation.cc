@@ -32,7 +32,8 @@ namespace stickslip
               parameters.materials,
               parameters.boundary_conditions,
               parameters.contact_pairs,
-              parameters.algorithm.tangent == Tangent::quasi)
+              parameters.algorithm.tangent == Tangent::quasi,
+              parameters.make_amplitudes(communicator))
     , linear_solver(create_linear_solver(parameters.linear_solver))
     , step_control(parameters.load_stepping,
                    fallback_sequence(parameters.algorithm.name,
@@ -388,10 +389,9 @@ namespace stickslip
                                                results.values(),
                                                communicator);
     text << checks.text;
-    if (progress.prints_results())
-      std::cout << text.str() << std::flush;
-    else
-      std::cerr << checks.failed << std::flush;
+    (progress.prints_results() ? std::cout << text.str()
+                               : std::cerr << checks.failed)
+      << std::flush;
     return checks.n_failed;
   }
 

@@ -28,6 +28,20 @@ namespace stickslip
 
 
 
+  namespace
+  {
+    const Choices<VectorComponents> &
+    all_components()
+    {
+      static const Choices<VectorComponents> choices = {
+        {"Cartesian", VectorComponents::cartesian},
+        {"cylindrical", VectorComponents::cylindrical}};
+      return choices;
+    }
+  } // namespace
+
+
+
   void
   BoundaryConditionParameters::add_parameters(ParameterHandler &prm)
   {
@@ -86,16 +100,42 @@ namespace stickslip
                       Patterns::Anything());
     prm.add_parameter("Rotation axis",
                       rotation_axis,
-                      "Of a rigid motion in 3D: x, y, z or a vector 'a, b, c'.",
+                      "Of a rigid motion and of cylindrical components in 3D: "
+                      "x, y, z or a vector 'a, b, c'.",
                       Patterns::Anything());
     prm.add_parameter("Rotation centre",
                       rotation_centre,
-                      "Of a rigid motion: a point on the axis in the reference "
-                      "configuration. Empty: the origin.",
+                      "Of a rigid motion and of cylindrical components: a "
+                      "point on the axis in the reference configuration. "
+                      "Empty: the origin.",
                       Patterns::Anything());
     prm.add_parameter("Second boundary",
                       second_boundary,
                       "Of a periodic condition: the other boundary.");
+    prm.add_parameter("Amplitude",
+                      amplitude,
+                      "Name of a section of Amplitudes: a factor over the load "
+                      "time, by which Value, or Translation and Rotation "
+                      "angle, are multiplied.",
+                      Patterns::Anything());
+    add_choice(prm,
+               "Components",
+               components,
+               all_components(),
+               "Of the Value of a displacement, traction or body force. "
+               "cylindrical: radial; circumferential (; axial), about Rotation "
+               "axis through Rotation centre, with the directions at the "
+               "reference position.");
+    prm.add_parameter("Active from",
+                      active_from,
+                      "The condition acts from this load time on; before, the "
+                      "displacement is free, the load zero. Empty: always.",
+                      Patterns::Anything());
+    prm.add_parameter("Active until",
+                      active_until,
+                      "The condition acts up to this load time. Empty: to the "
+                      "end.",
+                      Patterns::Anything());
   }
 
 
@@ -140,6 +180,22 @@ namespace stickslip
     if (type != BoundaryConditionType::rigid_motion)
       forbid(!translation.empty(), "Translation");
 
+    if (!has_value && type != BoundaryConditionType::rigid_motion)
+      forbid(!amplitude.empty(), "Amplitude");
+    if (components == VectorComponents::cylindrical &&
+        type != BoundaryConditionType::displacement &&
+        type != BoundaryConditionType::traction &&
+        type != BoundaryConditionType::body_force)
+      throw UserError(path +
+                      "/Components = cylindrical: a condition of type '" +
+                      type_name + "' has no components.");
+    active_interval(path);
+    if (type == BoundaryConditionType::periodic)
+      {
+        forbid(!active_from.empty(), "Active from");
+        forbid(!active_until.empty(), "Active until");
+      }
+
     if (type == BoundaryConditionType::spring && !(stiffness > 0.))
       throw UserError(path + "/Stiffness has to be greater than 0.");
 
@@ -154,6 +210,59 @@ namespace stickslip
       }
     else
       forbid(!second_boundary.empty(), "Second boundary");
+  }
+
+
+
+  ActiveInterval
+  BoundaryConditionParameters::active_interval(const std::string &path) const
+  {
+    const auto read =
+      [&path](const std::string &text, const std::string &name, double &value) {
+        if (text.empty())
+          return;
+        try
+          {
+            value = Utilities::string_to_double(text);
+          }
+        catch (const ExceptionBase &)
+          {
+            throw UserError(path + "/" + name + " is '" + text +
+                            "', but has to be a number or empty.");
+          }
+      };
+    ActiveInterval interval;
+    read(active_from, "Active from", interval.from);
+    read(active_until, "Active until", interval.until);
+    if (!(interval.from <= interval.until))
+      throw UserError(path + "/Active until is " + active_until +
+                      ", but 'Active from' is " + active_from +
+                      ": the condition would never act.");
+    return interval;
+  }
+
+
+
+  template <int dim>
+  std::pair<Tensor<1, 3>, Point<dim>>
+  axis_of(const BoundaryConditionParameters &parameters,
+          const std::string                 &path)
+  {
+    Tensor<1, 3> axis;
+    axis[2] = 1.;
+    if (dim == 3)
+      axis = vector_from_parameter<3>(parameters.rotation_axis,
+                                      path + "/Rotation axis");
+    if (axis.norm() == 0.)
+      throw UserError(path + "/Rotation axis has no length.");
+    axis /= axis.norm();
+
+    Point<dim> centre;
+    if (!parameters.rotation_centre.empty())
+      centre =
+        Point<dim>(vector_from_parameter<dim>(parameters.rotation_centre,
+                                              path + "/Rotation centre"));
+    return {axis, centre};
   }
 
 
@@ -218,6 +327,10 @@ namespace stickslip
 
 
 
+  template std::pair<Tensor<1, 3>, Point<2>>
+  axis_of<2>(const BoundaryConditionParameters &, const std::string &);
+  template std::pair<Tensor<1, 3>, Point<3>>
+  axis_of<3>(const BoundaryConditionParameters &, const std::string &);
   template Tensor<1, 2>
   vector_from_parameter<2>(const std::string &, const std::string &);
   template Tensor<1, 3>

@@ -8,6 +8,7 @@
 
 #include <deal.II/dofs/dof_tools.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace stickslip
@@ -26,8 +27,10 @@ namespace stickslip
   template <int dim>
   BoundaryConditions<dim>::BoundaryConditions(
     const NamedList<BoundaryConditionParameters> &parameters,
-    const Bodies                                 &bodies)
+    const Bodies                                 &bodies,
+    const Amplitudes                             &amplitudes)
     : bodies(bodies)
+    , amplitudes(amplitudes)
   {
     for (const auto &named : parameters)
       add_condition(named.first, named.second);
@@ -50,10 +53,12 @@ namespace stickslip
 
     if (bodies.bodies[body].is_rigid &&
         (type != BoundaryConditionType::rigid_motion ||
-         !parameters.boundary.empty() || !parameters.where.empty()))
+         !parameters.boundary.empty() || !parameters.where.empty() ||
+         !parameters.active_from.empty() || !parameters.active_until.empty()))
       throw UserError(path + ": body '" + parameters.body +
                       "' is rigid. It takes a condition of type 'rigid "
-                      "motion' without 'Boundary' and 'Where', and no other.");
+                      "motion' without 'Boundary', 'Where', 'Active from' and "
+                      "'Active until', and no other.");
 
     switch (type)
       {
@@ -78,6 +83,34 @@ namespace stickslip
 
 
   template <int dim>
+  std::shared_ptr<const Amplitude>
+  BoundaryConditions<dim>::amplitude_of(
+    const BoundaryConditionParameters &parameters,
+    const std::string                 &path) const
+  {
+    return parameters.amplitude.empty() ? nullptr
+                                        : amplitude_called(parameters.amplitude,
+                                                           amplitudes,
+                                                           path + "/Amplitude");
+  }
+
+
+
+  template <int dim>
+  std::optional<CylindricalFrame<dim>>
+  BoundaryConditions<dim>::frame_of(
+    const BoundaryConditionParameters &parameters,
+    const std::string                 &path)
+  {
+    if (parameters.components == VectorComponents::cartesian)
+      return {};
+    const auto [axis, centre] = axis_of<dim>(parameters, path);
+    return CylindricalFrame<dim>(centre, axis);
+  }
+
+
+
+  template <int dim>
   void
   BoundaryConditions<dim>::add_displacement(
     const std::string                 &name,
@@ -92,11 +125,18 @@ namespace stickslip
       condition.boundary_ids = bodies.global_boundary_ids(parameters.body,
                                                           parameters.boundary,
                                                           path + "/Boundary");
+    condition.active = parameters.active_interval(path);
+    condition.frame  = frame_of(parameters, path);
     if (condition.type == BoundaryConditionType::displacement)
-      condition.value = std::make_shared<SpaceTimeFunction<dim>>(
-        parameters.value, dim, path + "/Value", true);
+      {
+        const auto value = std::make_shared<SpaceTimeFunction<dim>>(
+          parameters.value, dim, path + "/Value", true);
+        value->multiply_by(amplitude_of(parameters, path));
+        condition.value = value;
+      }
     if (condition.type == BoundaryConditionType::rigid_motion)
-      condition.motion = RigidMotion<dim>(parameters, path);
+      condition.motion =
+        RigidMotion<dim>(parameters, amplitude_of(parameters, path), path);
     if (!parameters.where.empty())
       condition.where = std::make_shared<SpaceTimeFunction<dim>>(
         parameters.where, 1, path + "/Where", false, false);
@@ -121,6 +161,8 @@ namespace stickslip
                                                      parameters.boundary,
                                                      path + "/Boundary");
 
+    load.active = parameters.active_interval(path);
+    load.frame  = frame_of(parameters, path);
     if (load.type == BoundaryConditionType::spring)
       {
         load.stiffness = unit_symmetric_tensor<dim, double>();
@@ -136,10 +178,12 @@ namespace stickslip
         const bool is_pressure =
           (load.type == BoundaryConditionType::pressure ||
            load.type == BoundaryConditionType::follower_pressure);
-        load.value =
+        const auto value =
           std::make_shared<SpaceTimeFunction<dim>>(parameters.value,
                                                    is_pressure ? 1 : dim,
                                                    path + "/Value");
+        value->multiply_by(amplitude_of(parameters, path));
+        load.value = value;
       }
     all_loads.push_back(load);
   }
@@ -228,7 +272,7 @@ namespace stickslip
     const std::vector<unsigned int> n_local_nodes = n_nodes;
     Utilities::MPI::sum(n_local_nodes, communicator, n_nodes);
     for (unsigned int c = 0; c < displacements.size(); ++c)
-      if (n_nodes[c] == 0)
+      if (n_nodes[c] == 0 && displacements[c].active.contains(time))
         throw UserError(boundary_condition_path(displacements[c].name) +
                         " holds no component of any node.");
 
@@ -236,6 +280,21 @@ namespace stickslip
                            dof_handler.locally_owned_dofs(),
                            communicator,
                            constraints);
+  }
+
+
+
+  template <int dim>
+  bool
+  BoundaryConditions<dim>::hold_the_same(const double time,
+                                         const double other_time) const
+  {
+    const auto is_same = [=](const auto &condition) {
+      return condition.active.contains(time) ==
+             condition.active.contains(other_time);
+    };
+    return std::all_of(displacements.begin(), displacements.end(), is_same) &&
+           std::all_of(all_loads.begin(), all_loads.end(), is_same);
   }
 
 

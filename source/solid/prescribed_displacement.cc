@@ -110,7 +110,8 @@ namespace stickslip
       for (const auto &cell : dof_handler.active_cell_iterators())
         if (!cell->is_artificial())
           for (unsigned int c = 0; c < conditions.size(); ++c)
-            if (bodies.body_of(cell->material_id()) == conditions[c].body)
+            if (bodies.body_of(cell->material_id()) == conditions[c].body &&
+                conditions[c].active.contains(time))
               {
                 if (conditions[c].boundary_ids.empty())
                   collect_body(cell, c);
@@ -279,8 +280,14 @@ namespace stickslip
       for (unsigned int d = 0; d < dim; ++d)
         if (is_rigid_motion || !prescribed.value->is_free(d))
           {
-            Tensor<1, dim> direction;
-            direction[d] = 1.;
+            const Tensor<1, dim> direction =
+              prescribed.frame ? prescribed.frame->direction(node.position, d)
+                               : Point<dim>::unit_vector(d);
+            if (direction.norm() == 0.)
+              report(condition,
+                     node.position,
+                     "the axis of its cylindrical components runs through the "
+                     "node");
             node.rows.push_back({direction, displacement[d], condition});
           }
     }

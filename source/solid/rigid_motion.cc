@@ -1,38 +1,32 @@
 #include <stickslip/solid/rigid_motion.h>
 
-#include <stickslip/base/user_error.h>
-
 #include <deal.II/base/numbers.h>
 
 #include <cmath>
+#include <tuple>
 
 namespace stickslip
 {
   template <int dim>
-  RigidMotion<dim>::RigidMotion(const BoundaryConditionParameters &parameters,
-                                const std::string                 &path)
+  RigidMotion<dim>::RigidMotion(
+    const BoundaryConditionParameters      &parameters,
+    const std::shared_ptr<const Amplitude> &amplitude,
+    const std::string                      &path)
   {
+    const auto law = [&](const std::string &text,
+                         const unsigned int n_components,
+                         const std::string &name) {
+      auto function =
+        std::make_shared<SpaceTimeFunction<dim>>(text,
+                                                 n_components,
+                                                 path + "/" + name);
+      function->multiply_by(amplitude);
+      return function;
+    };
     if (!parameters.translation.empty())
-      translation =
-        std::make_shared<SpaceTimeFunction<dim>>(parameters.translation,
-                                                 dim,
-                                                 path + "/Translation");
-    angle = std::make_shared<SpaceTimeFunction<dim>>(parameters.rotation_angle,
-                                                     1,
-                                                     path + "/Rotation angle");
-
-    axis[2] = 1.;
-    if (dim == 3)
-      axis = vector_from_parameter<3>(parameters.rotation_axis,
-                                      path + "/Rotation axis");
-    if (axis.norm() == 0.)
-      throw UserError(path + "/Rotation axis has no length.");
-    axis /= axis.norm();
-
-    if (!parameters.rotation_centre.empty())
-      centre =
-        Point<dim>(vector_from_parameter<dim>(parameters.rotation_centre,
-                                              path + "/Rotation centre"));
+      translation = law(parameters.translation, dim, "Translation");
+    angle = law(parameters.rotation_angle, 1, "Rotation angle");
+    std::tie(axis, centre) = axis_of<dim>(parameters, path);
   }
 
 

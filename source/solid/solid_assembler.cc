@@ -281,8 +281,7 @@ namespace stickslip
       for (unsigned int q = 0; q < quadrature.size(); ++q)
         element.add_load(fe_values,
                          q,
-                         load->value->vector(fe_values.quadrature_point(q),
-                                             time),
+                         load->vector(fe_values.quadrature_point(q), time),
                          element.external);
   }
 

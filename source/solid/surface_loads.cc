@@ -58,7 +58,8 @@ namespace stickslip
         fe_face_values.reinit(
           typename Triangulation<dim>::active_cell_iterator(cell), face);
         for (const Load<dim> *load : loads->second)
-          add_load(*load, time, with_tangent, element);
+          if (load->active.contains(time))
+            add_load(*load, time, with_tangent, element);
       }
   }
 
@@ -80,17 +81,17 @@ namespace stickslip
             case BoundaryConditionType::traction:
               element.add_load(fe_face_values,
                                q,
-                               load.value->vector(X, time),
+                               load.vector(X, time),
                                element.external);
               break;
             case BoundaryConditionType::pressure:
               element.add_load(fe_face_values,
                                q,
-                               -load.value->value(X, time) * N,
+                               -load.pressure(X, time) * N,
                                element.external);
               break;
             case BoundaryConditionType::follower_pressure:
-              add_follower_pressure(load.value->value(X, time),
+              add_follower_pressure(load.pressure(X, time),
                                     q,
                                     with_tangent,
                                     element);

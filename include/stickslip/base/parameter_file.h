@@ -109,6 +109,14 @@ namespace stickslip
     override_with(const std::string &assignment);
 
     /**
+     * The same file with the values of its constants (NamedConstants) in place
+     * of their names, and without the section Constants. Throws UserError that
+     * lists all values in which that is not possible.
+     */
+    ParameterFile
+    with_constants_inserted() const;
+
+    /**
      * The names of the subsections of @p section ("Bodies", or "" for the top
      * level) in the order of their first appearance in the file, empty ones
      * included.

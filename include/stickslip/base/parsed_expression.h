@@ -3,6 +3,7 @@
 
 #include <deal.II/base/function_parser.h>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,6 +22,15 @@ namespace stickslip
   parse_expressions(const std::string              &variables,
                     const std::vector<std::string> &expressions,
                     const std::string              &parameter_path);
+
+  /**
+   * The value of an expression of @p constants, `pi` and muparser's functions.
+   * Throws UserError that begins with @p place.
+   */
+  double
+  evaluate_expression(const std::string                   &expression,
+                      const std::map<std::string, double> &constants,
+                      const std::string                   &place);
 } // namespace stickslip
 
 #endif

@@ -1,6 +1,7 @@
 #ifndef stickslip_base_space_time_function_h
 #define stickslip_base_space_time_function_h
 
+#include <stickslip/base/amplitude.h>
 #include <stickslip/base/types.h>
 
 #include <deal.II/base/function_parser.h>
@@ -38,6 +39,13 @@ namespace stickslip
                       const bool         allow_free      = false,
                       const bool         depends_on_time = true);
 
+    /// Multiplies all values by an amplitude of the time.
+    void
+    multiply_by(const std::shared_ptr<const Amplitude> &factor)
+    {
+      amplitude = factor;
+    }
+
     bool
     is_free(const unsigned int component) const
     {
@@ -55,7 +63,8 @@ namespace stickslip
     vector(const Point<dim> &reference_position, const double time) const;
 
   private:
-    std::vector<bool> free_components;
+    std::vector<bool>                free_components;
+    std::shared_ptr<const Amplitude> amplitude;
 
     // set_time() is not const; the time is an argument here, not a state.
     std::shared_ptr<FunctionParser<3>> parser;

@@ -49,7 +49,8 @@ namespace stickslip
       const NamedList<MaterialParameters>          &materials,
       const NamedList<BoundaryConditionParameters> &boundary_conditions,
       const NamedList<ContactPairParameters>       &contact_pairs,
-      const bool                                    quasi_tangent);
+      const bool                                    quasi_tangent,
+      const Amplitudes                             &amplitudes = {});
 
     /// What is between the surfaces of each pair where nothing is deformed.
     const std::vector<ContactAtStart<dim>> &

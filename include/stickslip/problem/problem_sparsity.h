@@ -27,6 +27,13 @@ namespace stickslip
     void
     forget_couplings();
 
+    /// Other degrees of freedom are constrained: the pattern is built anew.
+    void
+    invalidate()
+    {
+      is_outdated = true;
+    }
+
     /// Gives @p matrix a new pattern (and true) if the present pairings need
     /// one. Collective.
     bool

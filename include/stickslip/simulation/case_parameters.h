@@ -1,6 +1,7 @@
 #ifndef stickslip_simulation_case_parameters_h
 #define stickslip_simulation_case_parameters_h
 
+#include <stickslip/base/amplitude.h>
 #include <stickslip/base/parameter_file.h>
 
 #include <stickslip/contact/cycling/status_cycle_treatment.h>
@@ -41,6 +42,7 @@ namespace stickslip
     MeshParameters                         mesh;
     NamedList<BodyParameters>              bodies;
     NamedList<MaterialParameters>          materials;
+    NamedList<AmplitudeParameters>         amplitudes;
     NamedList<BoundaryConditionParameters> boundary_conditions;
     NamedList<ContactPairParameters>       contact_pairs;
     AlgorithmParameters                    algorithm;
@@ -76,6 +78,10 @@ namespace stickslip
     std::vector<PeriodicRequest>
     periodic_requests() const;
 
+    /// Reads the files of the amplitudes. Collective. Throws UserError.
+    Amplitudes
+    make_amplitudes(const MPI_Comm communicator) const;
+
     /// What the distribution of the cells may weigh.
     std::vector<CostlySurface>
     slave_surfaces() const;
@@ -90,6 +96,10 @@ namespace stickslip
 
     void
     check() const;
+
+    /// Load steps end where a condition begins or ceases to act.
+    void
+    request_ends_of_intervals();
   };
 } // namespace stickslip
 

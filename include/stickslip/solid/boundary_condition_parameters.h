@@ -3,10 +3,14 @@
 
 #include <stickslip/base/choice.h>
 
+#include <stickslip/solid/active_interval.h>
+
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stickslip
@@ -22,6 +26,12 @@ namespace stickslip
     spring,
     body_force,
     periodic
+  };
+
+  enum class VectorComponents
+  {
+    cartesian,
+    cylindrical
   };
 
   const Choices<BoundaryConditionType> &
@@ -46,6 +56,9 @@ namespace stickslip
     std::string              rotation_axis   = "z";
     std::string              rotation_centre = "";
     std::vector<std::string> second_boundary;
+    std::string              amplitude;
+    VectorComponents         components = VectorComponents::cartesian;
+    std::string              active_from, active_until;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -70,7 +83,18 @@ namespace stickslip
     template <int dim>
     unsigned int
     periodic_axis(const std::string &path) const;
+
+    /// Throws UserError if an end is no number or the interval is empty.
+    ActiveInterval
+    active_interval(const std::string &path) const;
   };
+
+  /// Axis (of unit length; z in 2D) and centre of a rotation or of cylindrical
+  /// components. Throws UserError naming the parameter below @p path.
+  template <int dim>
+  std::pair<dealii::Tensor<1, 3>, dealii::Point<dim>>
+  axis_of(const BoundaryConditionParameters &parameters,
+          const std::string                 &path);
 
   /**
    * A vector from a parameter: a letter x, y, z for a unit vector, or @p dim

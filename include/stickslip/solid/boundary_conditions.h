@@ -1,6 +1,7 @@
 #ifndef stickslip_solid_boundary_conditions_h
 #define stickslip_solid_boundary_conditions_h
 
+#include <stickslip/base/amplitude.h>
 #include <stickslip/base/parameter_file.h>
 #include <stickslip/base/types.h>
 
@@ -14,6 +15,8 @@
 
 #include <deal.II/fe/mapping.h>
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,11 +48,13 @@ namespace stickslip
      * @p bodies.
      */
     BoundaryConditions(const NamedList<BoundaryConditionParameters> &parameters,
-                       const Bodies                                 &bodies);
+                       const Bodies                                 &bodies,
+                       const Amplitudes &amplitudes = {});
 
     /**
      * Adds the lines of the increment, u_i = g_i(time) - u_i(current), for all
-     * prescribed displacements; bodies marked rigid that no rigid motion names
+     * prescribed displacements that act at this time; bodies marked rigid that
+     * no rigid motion names
      * are held in place. @p u holds the current displacements and needs the
      * locally owned entries. Degrees of freedom that are constrained already
      * (hanging nodes, periodicity) keep their lines. All lines of
@@ -72,6 +77,11 @@ namespace stickslip
     void
     add_periodicity(const DoFHandler<dim> &dof_handler,
                     Constraints           &constraints) const;
+
+    /// Whether the displacements, and the springs, of the two times are held
+    /// by the same conditions.
+    bool
+    hold_the_same(const double time, const double other_time) const;
 
     const std::vector<Load<dim>> &
     loads() const
@@ -111,7 +121,17 @@ namespace stickslip
     void
     hold_idle_rigid_bodies();
 
-    const Bodies &bodies;
+    /// Null if the condition names none.
+    std::shared_ptr<const Amplitude>
+    amplitude_of(const BoundaryConditionParameters &parameters,
+                 const std::string                 &path) const;
+
+    static std::optional<CylindricalFrame<dim>>
+    frame_of(const BoundaryConditionParameters &parameters,
+             const std::string                 &path);
+
+    const Bodies    &bodies;
+    const Amplitudes amplitudes;
 
     std::vector<PrescribedDisplacement<dim>> displacements;
     std::vector<Load<dim>>                   all_loads;

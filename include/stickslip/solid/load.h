@@ -4,9 +4,12 @@
 #include <stickslip/base/types.h>
 
 #include <stickslip/base/space_time_function.h>
+#include <stickslip/solid/active_interval.h>
 #include <stickslip/solid/boundary_condition_parameters.h>
+#include <stickslip/solid/cylindrical_frame.h>
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -30,6 +33,27 @@ namespace stickslip
     /// Spring: d d^T for a direction d, or the identity, times the stiffness
     /// (force per reference area and displacement).
     Tensor<2, dim> stiffness;
+
+    ActiveInterval active;
+
+    /// Of the components of a traction or a body force, if not Cartesian.
+    std::optional<CylindricalFrame<dim>> frame;
+
+    /// Force per reference area or volume at a reference position X.
+    Tensor<1, dim>
+    vector(const Point<dim> &X, const double time) const
+    {
+      if (!active.contains(time))
+        return {};
+      const Tensor<1, dim> components = value->vector(X, time);
+      return frame ? frame->vector(X, components) : components;
+    }
+
+    double
+    pressure(const Point<dim> &X, const double time) const
+    {
+      return active.contains(time) ? value->value(X, time) : 0.;
+    }
   };
 } // namespace stickslip
 

@@ -6,7 +6,9 @@
 #include <stickslip/mesh/body.h>
 
 #include <stickslip/base/space_time_function.h>
+#include <stickslip/solid/active_interval.h>
 #include <stickslip/solid/boundary_condition_parameters.h>
+#include <stickslip/solid/cylindrical_frame.h>
 #include <stickslip/solid/rigid_motion.h>
 
 #include <deal.II/dofs/dof_handler.h>
@@ -16,6 +18,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -41,6 +44,11 @@ namespace stickslip
 
     /// If given: holds only at nodes where this function is not zero.
     std::shared_ptr<const SpaceTimeFunction<dim>> where;
+
+    ActiveInterval active;
+
+    /// Of the components of a displacement, if not Cartesian.
+    std::optional<CylindricalFrame<dim>> frame;
   };
 
   /**

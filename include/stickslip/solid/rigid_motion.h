@@ -28,9 +28,11 @@ namespace stickslip
     /// No motion.
     RigidMotion() = default;
 
-    /// Throws UserError naming the parameter below @p path.
-    RigidMotion(const BoundaryConditionParameters &parameters,
-                const std::string                 &path);
+    /// The law is multiplied by @p amplitude unless that is null. Throws
+    /// UserError naming the parameter below @p path.
+    RigidMotion(const BoundaryConditionParameters      &parameters,
+                const std::shared_ptr<const Amplitude> &amplitude,
+                const std::string                      &path);
 
     Tensor<1, dim>
     displacement(const Point<dim> &reference_position, const double time) const;
