@@ -229,8 +229,11 @@ namespace stickslip
     if (first_line.find(checkpoint_mark) != 0 ||
         first_line == checkpoint_first_line)
       return "";
+    const std::string format = first_line.substr(checkpoint_mark.size());
+    if (format.find_first_not_of("0123456789") != std::string::npos)
+      return ""; // damaged, as its checksum will show
     return "it was written by another version of the program (its format is " +
-           first_line.substr(checkpoint_mark.size()) +
+           format +
            ", this version reads format " + checkpoint_format + ")";
   }
 

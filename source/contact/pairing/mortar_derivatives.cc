@@ -1,5 +1,7 @@
 #include <stickslip/contact/pairing/mortar_derivatives.h>
 
+#include <stickslip/contact/pairing/corner_normals.h>
+
 #include <array>
 #include <map>
 
@@ -71,27 +73,6 @@ namespace stickslip
 
 
   template <int dim>
-  std::vector<Tensor<2, dim>>
-  MortarDerivatives<dim>::unit_normal_derivative(
-    const MortarFace<dim>      &slave,
-    const FaceShapeValues<dim> &values) const
-  {
-    const auto a = surface_tangents<dim>(values.gradient, slave.positions);
-    const Tensor<1, dim> v = -slave.face.orientation * surface_normal<dim>(a);
-    const double         length = v.norm();
-    const Tensor<2, dim> projector =
-      Tensor<2, dim>(unit_symmetric_tensor<dim>()) -
-      outer_product(v, v) / (length * length);
-    std::vector<Tensor<2, dim>> derivative;
-    for (const auto &gradient : values.gradient)
-      derivative.push_back((-slave.face.orientation / length) * projector *
-                           surface_normal_derivative<dim>(a, gradient));
-    return derivative;
-  }
-
-
-
-  template <int dim>
   std::vector<FullMatrix<double>>
   MortarDerivatives<dim>::share_derivatives(const MortarFace<dim>    &slave,
                                             const unsigned int        l,
@@ -103,7 +84,9 @@ namespace stickslip
     const auto         plane =
       projection_plane(slave.face, displacement_shape, slave.positions);
     const auto D_plane_normal =
-      unit_normal_derivative(slave, displacement_shape.at_centre());
+      outward_normal_derivative(slave.face,
+                                slave.positions,
+                                displacement_shape.at_centre());
 
     std::vector<FullMatrix<double>> D_M(segments.masters.size(),
                                         FullMatrix<double>(n, 2 * n * dim));
@@ -162,12 +145,15 @@ namespace stickslip
     const std::vector<std::vector<unsigned int>> &rows,
     MortarDerivative<dim>                        &derivative) const
   {
-    const unsigned int n = displacement_shape.n_nodes();
-    const unsigned int l = around.multiplier;
+    const unsigned int n       = displacement_shape.n_nodes();
+    const unsigned int l       = around.multiplier;
+    const unsigned int n_slave = derivative.D_D.m();
     const auto         plane =
       projection_plane(slave.face, displacement_shape, slave.positions);
     const auto D_plane_normal =
-      unit_normal_derivative(slave, displacement_shape.at_centre());
+      outward_normal_derivative(slave.face,
+                                slave.positions,
+                                displacement_shape.at_centre());
 
     std::vector<double>       L, N, N_master, motion(2 * n * dim);
     std::vector<unsigned int> columns(2 * n * dim);
@@ -200,9 +186,9 @@ namespace stickslip
               distance * (end.outward * D_plane_normal[k]);
             for (unsigned int c = 0; c < dim; ++c)
               {
-                columns[k * dim + c]       = around.stencil[k] * dim + c;
-                columns[(n + k) * dim + c] = derivative.D_normal.size() * dim +
-                                             rows[end.master][k] * dim + c;
+                columns[k * dim + c] = around.stencil[k] * dim + c;
+                columns[(n + k) * dim + c] =
+                  (n_slave + rows[end.master][k]) * dim + c;
                 motion[k * dim + c] = end.weight * along_slave[c];
                 motion[(n + k) * dim + c] =
                   end.on_slave ? 0. : end.weight * N_border[k] * end.outward[c];
@@ -247,6 +233,7 @@ namespace stickslip
   MortarDerivatives<dim>::differentiate(
     const MortarNode<dim>                 &node,
     const MortarAverage<dim>              &average,
+    const MortarFrame<dim>                &frame,
     const std::vector<MortarFace<dim>>    &faces,
     const std::vector<FaceSegments<dim>>  &segments,
     const std::vector<FaceIntegrals<dim>> &integrals,
@@ -256,20 +243,35 @@ namespace stickslip
     const unsigned int n_slave = node.n_stencil_nodes();
     derivative.D_M.reinit(average.n_master_nodes(),
                           (n_slave + average.n_master_nodes()) * dim);
-    derivative.D_normal.assign(n_slave, Tensor<2, dim>());
+    derivative.D_normal.assign(n_slave + average.n_master_nodes(),
+                               Tensor<2, dim>());
+    if (frame.is_of_corner && average.paired)
+      add_corner_normal_derivative(displacement_shape,
+                                   node,
+                                   average,
+                                   faces,
+                                   segments,
+                                   patch,
+                                   derivative.D_normal);
     derivative.D_D.reinit(0, 0);
     derivative.D_area.clear();
     const MasterNumbers numbers = master_numbers(average);
     for (const auto &around : node.faces)
       {
-        const MortarFace<dim>   &slave         = faces[around.face];
-        const FaceSegments<dim> &of_face       = segments[around.face];
-        const unsigned int       n             = slave.face.n_nodes;
-        const auto               D_node_normal = unit_normal_derivative(
-          slave, displacement_shape.at_node(around.displacement));
-        for (unsigned int k = 0; k < n; ++k)
-          derivative.D_normal[around.stencil[k]] +=
-            node.projection * D_node_normal[k];
+        const MortarFace<dim>   &slave   = faces[around.face];
+        const FaceSegments<dim> &of_face = segments[around.face];
+        const unsigned int       n       = slave.face.n_nodes;
+        if (!frame.is_of_corner)
+          {
+            const auto D_node_normal =
+              outward_normal_derivative(slave.face,
+                                        slave.positions,
+                                        displacement_shape.at_node(
+                                          around.displacement));
+            for (unsigned int k = 0; k < n; ++k)
+              derivative.D_normal[around.stencil[k]] +=
+                node.projection * D_node_normal[k];
+          }
         if (!average.paired)
           continue;
 

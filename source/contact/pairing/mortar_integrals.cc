@@ -1,5 +1,7 @@
 #include <stickslip/contact/pairing/mortar_integrals.h>
 
+#include <stickslip/contact/pairing/corner_normals.h>
+
 #include <algorithm>
 #include <map>
 
@@ -60,12 +62,33 @@ namespace stickslip
 
   template <int dim>
   MortarFrame<dim>
-  MortarIntegrals<dim>::frame_at(
-    const MortarNode<dim>              &node,
-    const std::vector<MortarFace<dim>> &faces) const
+  MortarIntegrals<dim>::frame_at(const MortarNode<dim>                &node,
+                                 const std::vector<MortarFace<dim>>   &faces,
+                                 const std::vector<FaceSegments<dim>> &segments,
+                                 const MasterPatch<dim> &patch) const
   {
     MortarFrame<dim> frame;
-    Tensor<1, dim>   direction;
+    if (!node.corner.is_corner ||
+        !find_corner_normal(
+          displacement_shape, node, faces, segments, patch, frame))
+      average_normals(node, faces, frame);
+    Tensor<1, dim> direction;
+    for (unsigned int k = 0; k < node.faces.front().stencil.size(); ++k)
+      direction += node.direction[node.faces.front().stencil[k]] *
+                   faces[node.faces.front().face].positions[k];
+    frame.tau = tangent_basis<dim>(frame.n, direction);
+    return frame;
+  }
+
+
+
+  template <int dim>
+  void
+  MortarIntegrals<dim>::average_normals(
+    const MortarNode<dim>              &node,
+    const std::vector<MortarFace<dim>> &faces,
+    MortarFrame<dim>                   &frame) const
+  {
     for (const auto &around : node.faces)
       {
         const MortarFace<dim> &slave = faces[around.face];
@@ -79,11 +102,6 @@ namespace stickslip
     frame.n      = node.projection * frame.n;
     frame.length = frame.n.norm();
     frame.n /= frame.length;
-    for (unsigned int k = 0; k < node.faces.front().stencil.size(); ++k)
-      direction += node.direction[node.faces.front().stencil[k]] *
-                   faces[node.faces.front().face].positions[k];
-    frame.tau = tangent_basis<dim>(frame.n, direction);
-    return frame;
   }
 
 

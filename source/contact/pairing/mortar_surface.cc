@@ -1,10 +1,13 @@
 #include <stickslip/contact/pairing/mortar_surface.h>
 
+#include <stickslip/contact/pairing/corner_cone.h>
+
 #include <stickslip/mesh/reference_cells.h>
 
 #include <stickslip/contact/pairing/symmetry_planes.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace stickslip
@@ -67,6 +70,7 @@ namespace stickslip
   {
     collect_nodes(slaves, owned_faces, points);
     set_weightings(weighting, excluded);
+    find_corners(displacement_shape, faces, nodes);
     for (auto &point : points)
       point.geometry.weight = nodes[point.geometry.mortar_node].area;
     averages.resize(nodes.size());
@@ -229,6 +233,9 @@ namespace stickslip
                                               node.dofs,
                                               own.stencil[own.displacement],
                                               supports);
+        // the surface goes on behind the plane
+        if (node.projection.norm() < std::sqrt(dim - 0.5))
+          node.corner = {};
       }
   }
 
@@ -285,7 +292,8 @@ namespace stickslip
     for (const MortarFace<dim> &slave : faces)
       pairing->segments.push_back(find_segments(slave, rule, patch));
     for (const auto &node : nodes)
-      pairing->frames.push_back(integrals.frame_at(node, faces));
+      pairing->frames.push_back(
+        integrals.frame_at(node, faces, pairing->segments, patch));
     return pairing;
   }
 
@@ -350,6 +358,7 @@ namespace stickslip
   {
     derivatives.differentiate(nodes[i],
                               averages[i],
+                              current->frames[i],
                               faces,
                               current->segments,
                               over_faces,

@@ -76,14 +76,13 @@ namespace stickslip
       if (derivative == nullptr)
         return columns;
 
+      for (unsigned int k = 0; k < derivative->D_normal.size(); ++k)
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int i = 0; i < dim; ++i)
+            columns[k * dim + c][2 * dim + i] = derivative->D_normal[k][i][c];
       for (unsigned int k = 0; k < n_slave; ++k)
         for (unsigned int c = 0; c < dim; ++c)
-          {
-            auto &column = columns[k * dim + c];
-            for (unsigned int i = 0; i < dim; ++i)
-              column[2 * dim + i] = derivative->D_normal[k][i][c];
-            column[3 * dim + c] = node.direction[k];
-          }
+          columns[k * dim + c][3 * dim + c] = node.direction[k];
       for (unsigned int l = 0; l < average.n_master_nodes(); ++l)
         for (unsigned int k = 0; k < columns.size(); ++k)
           {

@@ -15,10 +15,12 @@ namespace stickslip
     MortarDerivatives(const FaceShape<dim> &displacement_shape,
                       const FaceShape<dim> &multiplier_shape);
 
-    /// Derivative of the @p average (mortar_node.h).
+    /// Derivative of the @p average and of the sum of normals of @p frame
+    /// (mortar_node.h).
     void
     differentiate(const MortarNode<dim>                 &node,
                   const MortarAverage<dim>              &average,
+                  const MortarFrame<dim>                &frame,
                   const std::vector<MortarFace<dim>>    &faces,
                   const std::vector<FaceSegments<dim>>  &segments,
                   const std::vector<FaceIntegrals<dim>> &integrals,
@@ -48,12 +50,6 @@ namespace stickslip
              const MasterPatch<dim>                       &patch,
              const std::vector<std::vector<unsigned int>> &rows,
              MortarDerivative<dim>                        &derivative) const;
-
-    /// Derivative of the unit outward normal of a slave face, where its shape
-    /// functions are @p values, with respect to its nodes.
-    std::vector<Tensor<2, dim>>
-    unit_normal_derivative(const MortarFace<dim>      &slave,
-                           const FaceShapeValues<dim> &values) const;
   };
 } // namespace stickslip
 

@@ -38,10 +38,12 @@ namespace stickslip
     MortarIntegrals(const FaceShape<dim> &displacement_shape,
                     const FaceShape<dim> &multiplier_shape);
 
-    /// From the facets around a node.
+    /// From the facets around a node, or at a corner from the master's.
     MortarFrame<dim>
-    frame_at(const MortarNode<dim>              &node,
-             const std::vector<MortarFace<dim>> &faces) const;
+    frame_at(const MortarNode<dim>                &node,
+             const std::vector<MortarFace<dim>>   &faces,
+             const std::vector<FaceSegments<dim>> &segments,
+             const MasterPatch<dim>               &patch) const;
 
     FaceIntegrals<dim>
     integrate(const MortarFace<dim>   &slave,
@@ -56,6 +58,11 @@ namespace stickslip
             const MasterPatch<dim>                &patch) const;
 
   private:
+    void
+    average_normals(const MortarNode<dim>              &node,
+                    const std::vector<MortarFace<dim>> &faces,
+                    MortarFrame<dim>                   &frame) const;
+
     const FaceShape<dim> displacement_shape;
     const FaceShape<dim> multiplier_shape;
   };

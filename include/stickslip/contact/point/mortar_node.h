@@ -29,6 +29,20 @@ namespace stickslip
       std::vector<unsigned int> stencil; ///< number in the stencil, per node
     };
 
+    /// Where the surface ends at the node: away from the faces around it.
+    struct Border
+    {
+      unsigned int around;    ///< number of the face around the node
+      unsigned int neighbour; ///< displacement node on the border (3D)
+    };
+
+    /// What find_corners() has found of a node on an edge of the surface.
+    struct Corner
+    {
+      bool                is_corner = false;
+      std::vector<Border> borders;
+    };
+
     std::vector<Around>                  faces;
     std::vector<types::global_dof_index> dofs; ///< [stencil node * dim + c]
     /// Derivative along the direction E that carries the tangent basis (3D),
@@ -39,6 +53,7 @@ namespace stickslip
     /// Onto the symmetry planes that the node lies on: its normal is in them,
     /// which the facets of one half do not know.
     Tensor<2, dim> projection = unit_symmetric_tensor<dim>();
+    Corner         corner;
 
     unsigned int
     n_stencil_nodes() const
@@ -50,13 +65,14 @@ namespace stickslip
 
 
   /// Frame of a mortar node: the averaged outward normal of the slave surface,
-  /// and tangents.
+  /// or at its corners that of find_corner_normal(), and tangents.
   template <int dim>
   struct MortarFrame
   {
     Tensor<1, dim> n;
-    double         length = 1.; ///< of the sum of the facets' unit normals
+    double         length = 1.; ///< of the sum M of the facets' unit normals
     std::array<Tensor<1, dim>, dim - 1> tau;
+    bool is_of_corner = false; ///< M is that of find_corner_normal()
   };
 
 
@@ -114,7 +130,7 @@ namespace stickslip
     FullMatrix<double>  D_M;    ///< [master node][column]
     FullMatrix<double>  D_D;    ///< [node of the stencil][column]; or empty
     std::vector<double> D_area; ///< [column]; or empty: no end of the master
-    /// Of the sum of unit normals, per node of the stencil.
+    /// Of the sum of unit normals, per node of the stencil and per master node.
     std::vector<Tensor<2, dim>> D_normal;
   };
 } // namespace stickslip

@@ -211,6 +211,48 @@ namespace stickslip
   add_nodal_normals(std::vector<CollectedFace<dim>> &faces,
                     const FaceShape<dim>            &shape,
                     const double                     angle);
+
+
+
+  /// Outward normal of a face with the tangents @p a, not of unit length.
+  template <int dim>
+  Tensor<1, dim>
+  outward_normal(const SurfaceFace<dim>                    &face,
+                 const std::array<Tensor<1, dim>, dim - 1> &a)
+  {
+    return -face.orientation * surface_normal<dim>(a);
+  }
+
+
+
+  /// Derivative of v / |v| for a change of v.
+  template <int dim>
+  Tensor<2, dim>
+  unit_vector_derivative(const Tensor<1, dim> &v)
+  {
+    return (Tensor<2, dim>(unit_symmetric_tensor<dim>()) -
+            outer_product(v, v) / v.norm_square()) /
+           v.norm();
+  }
+
+
+
+  /// Derivative of the outward unit normal at the place of @p values, per node.
+  template <int dim>
+  std::vector<Tensor<2, dim>>
+  outward_normal_derivative(const SurfaceFace<dim>            &face,
+                            const std::vector<Tensor<1, dim>> &positions,
+                            const FaceShapeValues<dim>        &values)
+  {
+    const auto           a = surface_tangents<dim>(values.gradient, positions);
+    const Tensor<2, dim> D_unit =
+      -face.orientation * unit_vector_derivative(outward_normal(face, a));
+    std::vector<Tensor<2, dim>> derivative;
+    for (const auto &gradient : values.gradient)
+      derivative.push_back(D_unit *
+                           surface_normal_derivative<dim>(a, gradient));
+    return derivative;
+  }
 } // namespace stickslip
 
 #endif
