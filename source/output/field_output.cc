@@ -201,7 +201,8 @@ namespace stickslip
     };
     if (!deformed)
       build_patches(mapping);
-    else if (cell.is_simplex())
+    else if (cell.is_simplex() ||
+             dof_handler.get_triangulation().has_hanging_nodes())
       {
         const LA::Vector positions =
           nodal_positions(mapping, dof_handler, displacement);

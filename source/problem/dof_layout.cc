@@ -1,5 +1,7 @@
 #include <stickslip/problem/dof_layout.h>
 
+#include <stickslip/mesh/conforming_mapping.h>
+
 #include <deal.II/dofs/dof_tools.h>
 
 namespace stickslip
@@ -9,7 +11,7 @@ namespace stickslip
     const parallel::DistributedTriangulationBase<dim> &triangulation,
     const unsigned int                                 degree)
     : cells(reference_cell_of(triangulation))
-    , owned_mapping(make_mapping<dim>(cells, degree))
+    , owned_mapping(make_conforming_mapping(triangulation, degree))
     , mapping(*owned_mapping)
     , fe(*make_element<dim>(cells, degree), dim)
     , dof_handler(triangulation)

@@ -83,10 +83,9 @@ namespace stickslip
             is_excluded = is_excluded || is_held;
           }
         // hanging and periodic nodes have no multipliers of their own
-        const auto *entries =
-          geometric_lines.is_constrained(node.key)
-            ? geometric_lines.get_constraint_entries(node.key)
-            : nullptr;
+        const auto *entries = pair.hanging_nodes().combination(node.key);
+        if (entries == nullptr && geometric_lines.is_constrained(node.key))
+          entries = geometric_lines.get_constraint_entries(node.key);
         for (unsigned int c = 0; c < n_comp; ++c)
           {
             const auto dof = n_u + node.first_dof + c;

@@ -4,6 +4,7 @@
 
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
+#include <algorithm>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -73,6 +74,25 @@ namespace stickslip
         dofs.push_back(n_displacements + dof);
       return dofs;
     }
+
+
+
+    /// @p displacements and those that @p constraints relate them to: nodes
+    /// that hanging nodes of distant master faces hang on.
+    IndexSet
+    with_what_they_hang_on(IndexSet           displacements,
+                           const Constraints &constraints)
+    {
+      std::vector<types::global_dof_index> others;
+      for (const auto &line : constraints.get_lines())
+        if (line.index < displacements.size())
+          for (const auto &[other, weight] : line.entries)
+            others.push_back(other);
+      std::sort(others.begin(), others.end());
+      displacements.add_indices(others.begin(), others.end());
+      displacements.compress();
+      return displacements;
+    }
   } // namespace
 
 
@@ -128,8 +148,9 @@ namespace stickslip
     const auto                 &multipliers = contact.multipliers();
     const std::vector<IndexSet> owned       = {dofs.owned,
                                                multipliers.locally_owned()};
-    const std::vector<IndexSet> writable    = {contact.needed_displacements(),
-                                               multipliers.locally_relevant()};
+    const std::vector<IndexSet> writable    = {
+         with_what_they_hang_on(contact.needed_displacements(), constraints),
+         multipliers.locally_relevant()};
     TrilinosWrappers::BlockSparsityPattern pattern(owned,
                                                    owned,
                                                    writable,

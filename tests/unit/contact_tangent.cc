@@ -33,6 +33,7 @@ namespace
     std::string  weighting     = "standard"; // of segments
     unsigned int order         = 0;          // of segments
     bool         simplices     = false;
+    bool         hanging_slave = false; // one corner of the slave surface
   };
 
 
@@ -51,7 +52,9 @@ namespace
   /// hangs over on one side.
   template <int dim>
   Mesh<dim>
-  make_mesh(const bool hanging_nodes, const bool simplices)
+  make_mesh(const bool hanging_nodes,
+            const bool simplices,
+            const bool hanging_slave)
   {
     BodyParameters upper, lower;
     upper.generator = lower.generator = "subdivided_hyper_rectangle";
@@ -71,15 +74,19 @@ namespace
       }
     upper.simplices = lower.simplices = simplices;
     upper.material = lower.material = "rubber";
-    Mesh<dim> mesh                  = build_mesh<dim>(MeshParameters(),
+    Mesh<dim>  mesh                 = build_mesh<dim>(MeshParameters(),
                                      {{"upper", upper}, {"lower", lower}},
                                      {},
                                      MPI_COMM_WORLD);
-    if (hanging_nodes)
+    const auto is_refined           = [&](const Point<dim> &p) {
+      return (hanging_nodes && p[0] < 0.5 && p[1] > 0.5 && p[1] < 1.5) ||
+             (hanging_slave && p[0] < 0.5 && p[1] > 1.1 && p[dim - 1] < 1.6 &&
+              (dim == 2 || p[dim - 1] < 0.5));
+    };
+    if (hanging_nodes || hanging_slave)
       {
         for (const auto &cell : mesh.triangulation->active_cell_iterators())
-          if (cell->is_locally_owned() && cell->center()[0] < 0.5 &&
-              cell->center()[1] > 0.5 && cell->center()[1] < 1.5)
+          if (cell->is_locally_owned() && is_refined(cell->center()))
             cell->set_refine_flag();
         mesh.triangulation->execute_coarsening_and_refinement();
       }
@@ -313,7 +320,8 @@ namespace
   void
   test_case(const Case &c)
   {
-    Mesh<dim> mesh = make_mesh<dim>(c.hanging_nodes, c.simplices);
+    Mesh<dim> mesh =
+      make_mesh<dim>(c.hanging_nodes, c.simplices, c.hanging_slave);
     NamedList<BoundaryConditionParameters> conditions;
     if (c.held_master)
       {
@@ -452,6 +460,38 @@ namespace
 
 
 
+  /// Faces of different levels, on both sides. In 3D slave nodes hang, whose
+  /// multipliers others take over.
+  template <int dim>
+  void
+  test_hanging_nodes()
+  {
+    const auto test = [](const unsigned int degree,
+                         const std::string &quadrature,
+                         const std::string &weighting,
+                         const std::string &space) {
+      Case c{"hanging nodes " + quadrature + " " + weighting + " " + space,
+             degree,
+             "smoothed",
+             quadrature};
+      c.hanging_nodes = c.hanging_slave = true;
+      c.weighting                       = weighting;
+      c.space                           = space;
+      c.order = quadrature == "segments" ? (dim == 2 ? 8 : 7) : 0;
+      test_case<dim>(c);
+    };
+    for (const std::string weighting : {"standard", "dual"})
+      test(1, "segments", weighting, "displacement trace");
+    test(2, "segments", "dual", "vertices");
+    if (dim == 2)
+      test(2, "segments", "dual", "displacement trace");
+    test(1, "nodal", "standard", "displacement trace");
+    test(2, "nodal", "standard", "displacement trace");
+    test(2, "Gauss", "standard", "vertices");
+  }
+
+
+
   /// Triangles and tetrahedra.
   template <int dim>
   void
@@ -509,6 +549,7 @@ namespace
           test_case<dim>(c);
         }
     test_segments<dim>();
+    test_hanging_nodes<dim>();
     Case c{"held master", 1};
     c.held_master = true;
     test_case<dim>(c);

@@ -108,7 +108,7 @@ namespace
             excluded[m]          = true;
             const auto         W = weighting_functions<3>(kind,
                                                   triangle(1),
-                                                  excluded,
+                                                  {excluded, {}},
                                                   quadrature,
                                                   quadrature.get_weights());
             const unsigned int a = (m + 1) % 3, b = (m + 2) % 3;

@@ -18,9 +18,10 @@
 namespace stickslip
 {
   /**
-   * The displacement space: FE_Q(degree)^dim on an isoparametric mapping, or
-   * FE_SimplexP(degree)^dim on straight cells. Its support points are the nodes
-   * of the geometry, which the contact faces rely on.
+   * The displacement space: FE_Q(degree)^dim on an isoparametric mapping
+   * (mesh/conforming_mapping.h), or FE_SimplexP(degree)^dim on straight cells.
+   * Its support points are the nodes of the geometry, which the contact faces
+   * rely on.
    */
   template <int dim>
   class DofLayout

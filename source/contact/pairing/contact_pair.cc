@@ -6,6 +6,7 @@
 #include <stickslip/contact/pairing/local_thickness.h>
 #include <stickslip/contact/pairing/partner_search.h>
 #include <stickslip/contact/point/contact_points.h>
+#include <stickslip/contact/point/handed_over_points.h>
 #include <stickslip/contact/point/multiplier_shape.h>
 #include <stickslip/contact/surface/contact_quadrature.h>
 #include <stickslip/contact/surface/excluded_nodes.h>
@@ -123,6 +124,8 @@ namespace stickslip
                                     mapping,
                                     dof_handler,
                                     communicator);
+    hanging =
+      HangingNodes::find(dof_handler, multiplier_shape.degree(), slaves);
     const Quadrature<dim - 1> quadrature =
       contact_quadrature(parameters.quadrature,
                          parameters.quadrature_order,
@@ -140,6 +143,12 @@ namespace stickslip
                                  slave_faces,
                                  slaves,
                                  excluded);
+    if (has_one_multiplier_per_point(parameters.quadrature))
+      hand_over_points(hanging,
+                       dof_handler,
+                       multiplier_keys(),
+                       multiplier_shape.n_nodes(),
+                       points);
     if (parameters.has_segments())
       mortar = std::make_unique<MortarSurface<dim>>(displacement_shape,
                                                     multiplier_shape,
@@ -148,6 +157,7 @@ namespace stickslip
                                                     slaves,
                                                     slave_faces,
                                                     excluded,
+                                                    hanging,
                                                     points);
   }
 

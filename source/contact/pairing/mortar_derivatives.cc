@@ -209,7 +209,7 @@ namespace stickslip
         // D psi_l = sum_m y_m psi_m, y_m from the derivative of D M^-1
         for (unsigned int m = 0; m < L.size(); ++m)
           {
-            if (slave.is_excluded[m])
+            if (slave.missing.is_missing[m])
               continue;
             const double phi = combination(slave.extended, m, L);
             const double y =

@@ -29,7 +29,7 @@ namespace stickslip
         }
       return weighting_functions<dim>(slave.weighting_kind,
                                       multiplier_shape,
-                                      slave.is_excluded,
+                                      slave.missing,
                                       Quadrature<dim - 1>(places),
                                       areas);
     }

@@ -61,6 +61,7 @@ namespace stickslip
     const std::vector<CollectedFace<dim>>   &slaves,
     const std::vector<SlaveFace<dim>>       &owned_faces,
     const std::set<types::global_dof_index> &excluded,
+    const HangingNodes                      &hanging,
     std::vector<ContactPoint<dim>>          &points)
     : displacement_shape(displacement_shape)
     , multiplier_shape(multiplier_shape)
@@ -68,8 +69,8 @@ namespace stickslip
     , integrals(displacement_shape, multiplier_shape)
     , derivatives(displacement_shape, multiplier_shape)
   {
-    collect_nodes(slaves, owned_faces, points);
-    set_weightings(weighting, excluded);
+    collect_nodes(slaves, excluded, hanging, owned_faces, points);
+    set_weightings(weighting);
     find_corners(displacement_shape, faces, nodes);
     for (auto &point : points)
       point.geometry.weight = nodes[point.geometry.mortar_node].area;
@@ -82,21 +83,25 @@ namespace stickslip
   template <int dim>
   void
   MortarSurface<dim>::collect_nodes(
-    const std::vector<CollectedFace<dim>> &slaves,
-    const std::vector<SlaveFace<dim>>     &owned_faces,
-    std::vector<ContactPoint<dim>>        &points)
+    const std::vector<CollectedFace<dim>>   &slaves,
+    const std::set<types::global_dof_index> &excluded,
+    const HangingNodes                      &hanging,
+    const std::vector<SlaveFace<dim>>       &owned_faces,
+    std::vector<ContactPoint<dim>>          &points)
   {
     struct Corner
     {
       unsigned int slave, multiplier, displacement;
     };
     std::map<types::global_dof_index, std::vector<Corner>> corners;
+    std::vector<std::vector<types::global_dof_index>>      keys(slaves.size());
     for (unsigned int s = 0; s < slaves.size(); ++s)
       for (unsigned int l = 0; l < multiplier_shape.n_nodes(); ++l)
         {
           const unsigned int j =
             displacement_node(displacement_shape, multiplier_shape, l);
-          corners[slaves[s].face.dofs[j * dim]].push_back({s, l, j});
+          keys[s].push_back(slaves[s].face.dofs[j * dim]);
+          corners[keys[s].back()].push_back({s, l, j});
         }
 
     std::map<unsigned int, unsigned int> face_numbers;
@@ -105,7 +110,9 @@ namespace stickslip
       if (is_new)
         {
           faces.emplace_back();
-          faces.back().face = slaves[s].face;
+          faces.back().face    = slaves[s].face;
+          faces.back().missing = missing_nodes(
+            keys[s], excluded, hanging, node_shared_with_parent(slaves[s]));
         }
       return entry->second;
     };
@@ -161,9 +168,7 @@ namespace stickslip
 
   template <int dim>
   void
-  MortarSurface<dim>::set_weightings(
-    const WeightingFunctions                 kind,
-    const std::set<types::global_dof_index> &excluded)
+  MortarSurface<dim>::set_weightings(const WeightingFunctions kind)
   {
     const auto quadrature =
       gauss_quadrature<dim - 1>(displacement_shape.reference_cell(),
@@ -176,11 +181,6 @@ namespace stickslip
       {
         const SurfaceFace<dim> &face = slave.face;
         slave.weighting_kind         = kind;
-        for (unsigned int l = 0; l < multiplier_shape.n_nodes(); ++l)
-          slave.is_excluded.push_back(
-            excluded.count(
-              face.dofs[dim * displacement_node(
-                                displacement_shape, multiplier_shape, l)]) > 0);
         const std::vector<Tensor<1, dim>> undeformed(
           face.reference_positions.begin(),
           face.reference_positions.begin() + face.n_nodes);
@@ -197,7 +197,7 @@ namespace stickslip
           }
         const auto functions = [&](const WeightingFunctions which) {
           return weighting_functions<dim>(
-            which, multiplier_shape, slave.is_excluded, quadrature, areas);
+            which, multiplier_shape, slave.missing, quadrature, areas);
         };
         slave.extended  = functions(WeightingFunctions::standard);
         slave.weighting = functions(kind);

@@ -1,5 +1,6 @@
 #include <stickslip/contact/results/neighbour_points.h>
 
+#include <algorithm>
 #include <array>
 #include <set>
 #include <utility>
@@ -9,6 +10,11 @@ namespace stickslip
 {
   namespace
   {
+    /// First multiplier dofs of nodes and their shares of a value.
+    using NodalShares = std::vector<std::pair<types::global_dof_index, double>>;
+
+
+
     /// Calls @p visit with each number of @p point that nodal fields need, in
     /// the same order for reading and writing.
     template <typename Point, typename Visitor>
@@ -74,6 +80,28 @@ namespace stickslip
         numbers.back() = values;
       }
 
+    const auto keys = pair.multiplier_keys();
+    // The nodes that give a node its values: itself, or what it hangs on.
+    const auto shares_of = [&](const unsigned int f, const unsigned int l) {
+      const auto  key    = keys[f * pair.multiplier_shape.n_nodes() + l];
+      const auto *others = pair.hanging_nodes().combination(key);
+      NodalShares shares;
+      double      sum = 0.;
+      for (const auto &[other, share] :
+           others != nullptr ? *others : HangingNodes::Combination{{key, 1.}})
+        if (multipliers.has_node(p, other))
+          {
+            const auto dof = multipliers.first_dof(p, other);
+            if (numbers[0](dof) == 0.)
+              continue;
+            shares.emplace_back(dof, share);
+            sum += share;
+          }
+      for (auto &[dof, share] : shares)
+        share /= sum;
+      return shares;
+    };
+
     std::vector<std::set<unsigned int>> has_point(pair.slave_faces.size());
     for (const auto &point : pair.points)
       has_point[point.geometry.slave_face].insert(
@@ -81,15 +109,29 @@ namespace stickslip
     for (unsigned int f = 0; f < pair.slave_faces.size(); ++f)
       for (unsigned int l = 0; l < pair.multiplier_shape.n_nodes(); ++l)
         {
-          const auto dof = dof_of(f, l);
-          if (has_point[f].count(l) > 0 || numbers[0](dof) == 0.)
+          if (has_point[f].count(l) > 0)
             continue;
+          const auto shares = shares_of(f, l);
+          if (shares.empty())
+            continue;
+          const auto sum = [&](const unsigned int k) {
+            double value = 0.;
+            for (const auto &[dof, share] : shares)
+              value += share * numbers[k](dof);
+            return value;
+          };
           ContactPointResult<dim> result{};
+          // states cannot be averaged
+          const auto nearest =
+            std::max_element(shares.begin(),
+                             shares.end(),
+                             [](const auto &a, const auto &b) {
+                               return a.second < b.second;
+                             });
           result.state = static_cast<ContactState>(
-            static_cast<unsigned int>(numbers[1](dof)));
+            static_cast<unsigned int>(numbers[1](nearest->first)));
           unsigned int k = 2;
-          for_each_number(result,
-                          [&](double &value) { value = numbers[k++](dof); });
+          for_each_number(result, [&](double &value) { value = sum(k++); });
           std::vector<double> L;
           for (unsigned int j = 0; j < pair.displacement_shape.n_nodes(); ++j)
             {

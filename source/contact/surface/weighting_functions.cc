@@ -7,19 +7,24 @@ namespace stickslip
 {
   namespace
   {
-    /// Multiplier nodes that are not excluded and nearest to node @p m.
+    /// Who takes over from node @p m: its heir, or else the nearest multiplier
+    /// nodes that are not missing.
     template <int dim>
     std::vector<unsigned int>
-    nearest_others(const FaceShape<dim>    &shape,
-                   const std::vector<bool> &excluded,
-                   const unsigned int       m)
+    heirs_of(const FaceShape<dim> &shape,
+             const MissingNodes   &missing,
+             const unsigned int    m)
     {
+      const unsigned int heir =
+        missing.heir.empty() ? numbers::invalid_unsigned_int : missing.heir[m];
+      if (heir != numbers::invalid_unsigned_int && !missing.is_missing[heir])
+        return {heir};
       constexpr double          tie      = 1e-9;
       double                    smallest = std::numeric_limits<double>::max();
       std::vector<unsigned int> nearest;
       for (unsigned int l = 0; l < shape.n_nodes(); ++l)
         {
-          if (excluded[l])
+          if (missing.is_missing[l])
             continue;
           const double distance = shape.distance(l, m);
           if (distance < smallest - tie)
@@ -35,17 +40,16 @@ namespace stickslip
 
     template <int dim>
     FullMatrix<double>
-    extended_functions(const FaceShape<dim>    &shape,
-                       const std::vector<bool> &excluded)
+    extended_functions(const FaceShape<dim> &shape, const MissingNodes &missing)
     {
       const unsigned int n = shape.n_nodes();
       FullMatrix<double> W(n, n);
       for (unsigned int m = 0; m < n; ++m)
-        if (!excluded[m])
+        if (!missing.is_missing[m])
           W(m, m) = 1.;
         else
           {
-            const auto others = nearest_others(shape, excluded, m);
+            const auto others = heirs_of(shape, missing, m);
             for (const unsigned int l : others)
               W(l, m) = 1. / static_cast<double>(others.size());
           }
@@ -54,12 +58,12 @@ namespace stickslip
 
 
 
-    /// The dual functions of @p W among the rows that are not @p excluded.
+    /// The dual functions of @p W among the rows of nodes that are not missing.
     template <int dim>
     FullMatrix<double>
     dual_functions(const FullMatrix<double>  &W,
                    const FaceShape<dim>      &shape,
-                   const std::vector<bool>   &excluded,
+                   const MissingNodes        &missing,
                    const Quadrature<dim - 1> &quadrature,
                    const std::vector<double> &areas)
     {
@@ -80,7 +84,7 @@ namespace stickslip
             }
         }
       for (unsigned int l = 0; l < n; ++l)
-        if (excluded[l])
+        if (missing.is_missing[l])
           mass(l, l) = 1.; // and nothing else in this row
       mass.gauss_jordan();
       FullMatrix<double> product(n, n), dual(n, n);
@@ -107,21 +111,21 @@ namespace stickslip
   FullMatrix<double>
   weighting_functions(const WeightingFunctions   kind,
                       const FaceShape<dim>      &multiplier_shape,
-                      const std::vector<bool>   &excluded,
+                      const MissingNodes        &missing,
                       const Quadrature<dim - 1> &quadrature,
                       const std::vector<double> &areas)
   {
-    const FullMatrix<double> W = extended_functions(multiplier_shape, excluded);
+    const FullMatrix<double> W = extended_functions(multiplier_shape, missing);
     return kind == WeightingFunctions::standard
              ? W
-             : dual_functions(W, multiplier_shape, excluded, quadrature, areas);
+             : dual_functions(W, multiplier_shape, missing, quadrature, areas);
   }
 
 #define INSTANTIATE(dim)                           \
   template FullMatrix<double> weighting_functions( \
     const WeightingFunctions,                      \
     const FaceShape<dim> &,                        \
-    const std::vector<bool> &,                     \
+    const MissingNodes &,                          \
     const Quadrature<dim - 1> &,                   \
     const std::vector<double> &);
   INSTANTIATE(2)

@@ -8,6 +8,7 @@
 #include <stickslip/contact/pairing/slave_configuration.h>
 #include <stickslip/contact/point/contact_parameters.h>
 #include <stickslip/contact/point/contact_points.h>
+#include <stickslip/contact/surface/hanging_nodes.h>
 #include <stickslip/contact/surface/multiplier_numbering.h>
 
 #include <functional>
@@ -74,6 +75,13 @@ namespace stickslip
     excluded_keys() const
     {
       return excluded;
+    }
+
+    /// Multiplier nodes that follow others.
+    const HangingNodes &
+    hanging_nodes() const
+    {
+      return hanging;
     }
 
     void
@@ -187,6 +195,7 @@ namespace stickslip
     GapOffsets<dim>                   gap_offsets;
     MPI_Comm                          communicator;
     std::set<types::global_dof_index> excluded;
+    HangingNodes                      hanging;
     SlaveConfiguration<dim>           slave_configuration;
     MovedNodes<dim> slave_nodes;  ///< since the patch was fetched
     MovedNodes<dim> master_nodes; ///< likewise

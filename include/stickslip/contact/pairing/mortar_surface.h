@@ -3,6 +3,7 @@
 
 #include <stickslip/contact/pairing/mortar_derivatives.h>
 #include <stickslip/contact/point/contact_points.h>
+#include <stickslip/contact/surface/hanging_nodes.h>
 #include <stickslip/contact/surface/weighting_functions.h>
 
 #include <functional>
@@ -39,8 +40,8 @@ namespace stickslip
     /**
      * @p slaves are all slave faces, ghosts included; @p points the contact
      * points of the nodal rule on @p owned_faces, of which one per node is
-     * kept: it has the number of its node. @p order as in SegmentRule. Not
-     * collective.
+     * kept: it has the number of its node. @p hanging nodes have no point,
+     * nor have @p excluded ones. @p order as in SegmentRule. Not collective.
      */
     MortarSurface(const FaceShape<dim>                    &displacement_shape,
                   const FaceShape<dim>                    &multiplier_shape,
@@ -49,6 +50,7 @@ namespace stickslip
                   const std::vector<CollectedFace<dim>>   &slaves,
                   const std::vector<SlaveFace<dim>>       &owned_faces,
                   const std::set<types::global_dof_index> &excluded,
+                  const HangingNodes                      &hanging,
                   std::vector<ContactPoint<dim>>          &points);
 
     const MortarNode<dim> &
@@ -166,13 +168,14 @@ namespace stickslip
     PairingPointer                  accepted;
 
     void
-    collect_nodes(const std::vector<CollectedFace<dim>> &slaves,
-                  const std::vector<SlaveFace<dim>>     &owned_faces,
-                  std::vector<ContactPoint<dim>>        &points);
+    collect_nodes(const std::vector<CollectedFace<dim>>   &slaves,
+                  const std::set<types::global_dof_index> &excluded,
+                  const HangingNodes                      &hanging,
+                  const std::vector<SlaveFace<dim>>       &owned_faces,
+                  std::vector<ContactPoint<dim>>          &points);
 
     void
-    set_weightings(const WeightingFunctions                 kind,
-                   const std::set<types::global_dof_index> &excluded);
+    set_weightings(const WeightingFunctions kind);
 
     PairingPointer
     empty_pairing() const;

@@ -21,7 +21,7 @@ namespace stickslip
     FullMatrix<double>  extended;
     FullMatrix<double>  weighting;
     WeightingFunctions  weighting_kind = WeightingFunctions::standard;
-    std::vector<bool>   is_excluded; ///< per multiplier node
+    MissingNodes        missing;
     std::vector<double> gap_offsets; ///< per node; empty: none
 
     std::vector<Tensor<1, dim>> positions;     ///< now

@@ -1,0 +1,31 @@
+#ifndef stickslip_mesh_conforming_mapping_h
+#define stickslip_mesh_conforming_mapping_h
+
+#include <deal.II/distributed/tria_base.h>
+
+#include <deal.II/fe/mapping.h>
+
+#include <memory>
+
+namespace stickslip
+{
+  using namespace dealii;
+
+  /**
+   * The isoparametric mapping of a mesh, without gaps at hanging nodes.
+   *
+   * On a curved manifold the cells of a refined side have their nodes on the
+   * manifold, those of the coarse side are polynomials between theirs: a gap or
+   * an overlap where displacements are continuous, so that a rotation of the
+   * body would strain it. Here hanging nodes lie where the constraints of the
+   * displacements put them, on the coarse side. Without hanging nodes it is
+   * make_mapping(). Collective.
+   */
+  template <int dim>
+  std::unique_ptr<Mapping<dim>>
+  make_conforming_mapping(
+    const parallel::DistributedTriangulationBase<dim> &triangulation,
+    const unsigned int                                 degree);
+} // namespace stickslip
+
+#endif

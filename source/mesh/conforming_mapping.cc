@@ -1,0 +1,99 @@
+#include <stickslip/mesh/conforming_mapping.h>
+
+#include <stickslip/mesh/reference_cells.h>
+
+#include <deal.II/base/index_set.h>
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_q_cache.h>
+
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <vector>
+
+namespace stickslip
+{
+  namespace
+  {
+    using Positions = LinearAlgebra::distributed::Vector<double>;
+
+
+
+    /// Where @p mapping has the nodes of the cells of this rank.
+    template <int dim>
+    void
+    read_positions(const Mapping<dim>    &mapping,
+                   const DoFHandler<dim> &dof_handler,
+                   Positions             &positions)
+    {
+      const auto                          &fe = dof_handler.get_fe();
+      std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            cell->get_dof_indices(dofs);
+            for (unsigned int i = 0; i < dofs.size(); ++i)
+              if (positions.in_local_range(dofs[i]))
+                positions(dofs[i]) = mapping.transform_unit_to_real_cell(
+                  cell,
+                  fe.unit_support_point(
+                    i))[fe.system_to_component_index(i).first];
+          }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  std::unique_ptr<Mapping<dim>>
+  make_conforming_mapping(
+    const parallel::DistributedTriangulationBase<dim> &triangulation,
+    const unsigned int                                 degree)
+  {
+    const ReferenceCell cell    = reference_cell_of(triangulation);
+    auto                mapping = make_mapping<dim>(cell, degree);
+    if (!triangulation.has_hanging_nodes())
+      return mapping;
+
+    const FESystem<dim> fe(*make_element<dim>(cell, degree), dim);
+    DoFHandler<dim>     dof_handler(triangulation);
+    dof_handler.distribute_dofs(fe);
+    IndexSet relevant;
+    DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+    AffineConstraints<double> lines(relevant);
+    DoFTools::make_hanging_node_constraints(dof_handler, lines);
+    lines.close();
+
+    Positions positions(dof_handler.locally_owned_dofs(),
+                        relevant,
+                        triangulation.get_communicator());
+    read_positions(*mapping, dof_handler, positions);
+    positions.update_ghost_values();
+    for (const auto &line : lines.get_lines())
+      if (positions.in_local_range(line.index))
+        {
+          // The owner of a hanging node sees what it hangs on, which does not
+          // hang itself (levels differ by one around a vertex).
+          double position = 0.;
+          for (const auto &[other, weight] : line.entries)
+            position += weight * positions(other);
+          positions(line.index) = position;
+        }
+    positions.update_ghost_values();
+
+    auto cache = std::make_unique<MappingQCache<dim>>(degree);
+    cache->initialize(*mapping, dof_handler, positions, false);
+    return cache;
+  }
+
+  template std::unique_ptr<Mapping<2>>
+  make_conforming_mapping(const parallel::DistributedTriangulationBase<2> &,
+                          const unsigned int);
+  template std::unique_ptr<Mapping<3>>
+  make_conforming_mapping(const parallel::DistributedTriangulationBase<3> &,
+                          const unsigned int);
+} // namespace stickslip
