@@ -143,12 +143,13 @@ namespace stickslip
                                  slave_faces,
                                  slaves,
                                  excluded);
-    if (has_one_multiplier_per_point(parameters.quadrature))
-      hand_over_points(hanging,
-                       dof_handler,
-                       multiplier_keys(),
-                       multiplier_shape.n_nodes(),
-                       points);
+    hand_over_points(hanging,
+                     dof_handler,
+                     multiplier_keys(),
+                     multiplier_shape.n_nodes(),
+                     parameters,
+                     path_of(name),
+                     points);
     if (parameters.has_segments())
       mortar = std::make_unique<MortarSurface<dim>>(displacement_shape,
                                                     multiplier_shape,

@@ -1,5 +1,7 @@
 #include <stickslip/contact/point/handed_over_points.h>
 
+#include <stickslip/base/user_error.h>
+
 #include <deal.II/base/index_set.h>
 #include <deal.II/base/mpi.h>
 
@@ -17,12 +19,24 @@ namespace stickslip
                    const DoFHandler<dim>                      &dof_handler,
                    const std::vector<types::global_dof_index> &keys,
                    const unsigned int              n_multipliers_of_face,
+                   const ContactPairParameters    &parameters,
+                   const std::string              &path,
                    std::vector<ContactPoint<dim>> &points)
   {
     const MPI_Comm     communicator = dof_handler.get_communicator();
     const unsigned int any          = hanging.all().empty() ? 0 : 1;
     if (Utilities::MPI::max(any, communicator) == 0)
       return;
+    if (!has_one_multiplier_per_point(parameters.quadrature))
+      {
+        if (dim == 3 && parameters.has_friction())
+          throw UserError("'" + path + "/Quadrature = " +
+                          name_of(parameters.quadrature, all_contact_rules()) +
+                          "' is not available with friction on a slave surface "
+                          "with cells of different levels. Take 'segments' or "
+                          "'nodal'.");
+        return;
+      }
     IndexSet relevant;
     DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
     LinearAlgebra::distributed::Vector<double> own(
@@ -65,11 +79,15 @@ namespace stickslip
                    const DoFHandler<2> &,
                    const std::vector<types::global_dof_index> &,
                    const unsigned int,
+                   const ContactPairParameters &,
+                   const std::string &,
                    std::vector<ContactPoint<2>> &);
   template void
   hand_over_points(const HangingNodes &,
                    const DoFHandler<3> &,
                    const std::vector<types::global_dof_index> &,
                    const unsigned int,
+                   const ContactPairParameters &,
+                   const std::string &,
                    std::vector<ContactPoint<3>> &);
 } // namespace stickslip
