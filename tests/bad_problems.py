@@ -4,6 +4,11 @@ from bad_words import (CHECK_FALLS_SHORT, HERE, NO_CONVERGENCE, ONE_STEP, WRONG_
 
 COARSE = body("plate", "Simplices = true", "Arguments = 0 |4| 40 : 0 |1| 1 : 0 |4| 40")
 
+
+def rule(*lines):
+    return "subsection Refinement\n subsection spot\n  set %s\n end\nend\n" % "\n  set ".join(lines)
+
+
 # what is wrong: (file, text added below an include of it, exit code, words of the message)
 CASES = {
     "unknown parameter": (
@@ -287,6 +292,38 @@ CASES = {
         "plate.prm", own_condition("Body = plate", "Boundary = 3", "Type = spring"), WRONG_INPUT, ["Boundary conditions/own/Stiffness", "greater than 0"]),
     "a spring of unknown direction": (
         "plate.prm", own_condition("Body = plate", "Boundary = 3", "Type = spring", "Stiffness = 1", "Direction = w"), WRONG_INPUT, ["Boundary conditions/own/Direction", "'w'"]),
+    "rule of refinement without its lengths": (
+        "plate.prm", rule("Type = contact", "Contact pair = base"),
+        WRONG_INPUT, ["Refinement/spot/Distance is missing", "Type = contact"]),
+    "rule of refinement with what it has no use for": (
+        "plate.prm", rule("First corner = 0, 0", "Second corner = 1, 1", "Radius = 2"),
+        WRONG_INPUT, ["Refinement/spot/Radius", "no use for it"]),
+    "rule of refinement for an unknown pair": (
+        "plate.prm", rule("Type = contact", "Contact pair = bse", "Distance = 1"),
+        WRONG_INPUT, ["Refinement/spot/Contact pair", "'bse'", "Did you mean 'base'"]),
+    "corner with too many coordinates": (
+        "plate.prm", rule("First corner = 0, 0, 0", "Second corner = 1, 1, 1"),
+        WRONG_INPUT, ["Refinement/spot/First corner has 3 coordinates", "2D"]),
+    "rule of refinement that meets nothing": (
+        "plate.prm", rule("First corner = 1000, 0", "Second corner = 1001, 1"),
+        WRONG_INPUT, ["Refinement/spot refines nothing"]),
+    "local refinement of triangles": (
+        "plate.prm", body("plate", "Simplices = true") + body("base", "Simplices = true") +
+        rule("First corner = 0, 0", "Second corner = 1, 1"),
+        WRONG_INPUT, ["Refinement/spot", "triangles cannot be refined locally"]),
+    "local refinement with METIS": (
+        "plate.prm", section("Mesh", "Partitioner = METIS") +
+        rule("First corner = 0, 0", "Second corner = 1, 1"),
+        WRONG_INPUT, ["Refinement/spot", "METIS", "Take p4est"]),
+    "local refinement of periodic bodies": (
+        "column_3d.prm", rule("Type = condition", "Condition = 1"),
+        WRONG_INPUT, ["Refinement/spot", "periodic boundaries", "not available"]),
+    "friction with Gauss points where slave nodes hang": (
+        "plate_3d.prm", pair("Quadrature = Gauss") + rule("Type = condition", "Condition = x < 15"),
+        WRONG_INPUT, ["Contact/base/Quadrature = Gauss", "cells of different levels", "'segments' or 'nodal'"]),
+    "more levels of refinement than fit": (
+        "plate.prm", rule("Type = condition", "Condition = 1", "Levels = 12"),
+        WRONG_INPUT, ["Refinement/spot/Levels = 12 makes at least", "cells", "free there"]),
     "periodic with one boundary": (
         "plate.prm", own_condition("Body = plate", "Boundary = 0", "Type = periodic", "Direction = x"), WRONG_INPUT, ["Boundary conditions/own", "'Second boundary'"]),
     "periodic boundaries that do not match": (

@@ -4,6 +4,7 @@
 #include <stickslip/base/user_error.h>
 #include <stickslip/mesh/body_mesh.h>
 #include <stickslip/mesh/joined_mesh.h>
+#include <stickslip/mesh/local_refinement.h>
 #include <stickslip/mesh/reference_cells.h>
 
 #include <deal.II/distributed/fully_distributed_tria.h>
@@ -12,6 +13,7 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/tria_description.h>
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -47,6 +49,30 @@ namespace stickslip
       for (const types::boundary_id id : body.boundary_ids)
         global_ids[id] = bodies.global_boundary_id(index, id);
       joined_mesh.add(body_mesh, global_ids);
+    }
+
+
+
+    /// What can be refined locally?
+    void
+    check_local_refinement(const std::string                  &path,
+                           const ReferenceCell                &cell,
+                           const Partitioner                   partitioner,
+                           const std::vector<PeriodicRequest> &periodic)
+    {
+      if (cell.is_simplex())
+        throw UserError(path + ": " + plural(cell) +
+                        " cannot be refined locally, only quadrilaterals and "
+                        "hexahedra. Take 'Refinements' of the bodies, or a "
+                        "graded mesh.");
+      if (partitioner != Partitioner::p4est)
+        throw UserError(path +
+                        ": 'Mesh/Partitioner = METIS' cannot distribute "
+                        "locally refined meshes. Take p4est.");
+      if (!periodic.empty())
+        throw UserError(
+          path + ": local refinement beside periodic boundaries (" +
+          periodic.front().parameter_path + ") is not available.");
     }
 
 
@@ -166,13 +192,13 @@ namespace stickslip
     class CellCost
     {
     public:
-      CellCost(const std::vector<CostlySurface> &surfaces,
-               const Bodies                     &bodies,
-               const double                      face_weight)
+      CellCost(const std::vector<NamedSurface> &surfaces,
+               const Bodies                    &bodies,
+               const double                     face_weight)
         : of_a_face(static_cast<unsigned int>(of_a_cell * face_weight))
       {
         if (of_a_face > 0)
-          for (const CostlySurface &surface : surfaces)
+          for (const NamedSurface &surface : surfaces)
             boundaries.merge(bodies.global_boundary_ids(
               surface.body, surface.boundary, surface.parameter_path));
       }
@@ -203,11 +229,18 @@ namespace stickslip
 
 
     template <int dim>
+    using LocalRefinement =
+      std::function<void(parallel::distributed::Triangulation<dim> &)>;
+
+
+
+    template <int dim>
     std::unique_ptr<parallel::DistributedTriangulationBase<dim>>
     distribute_with_p4est(const JoinedMesh<dim>               &joined_mesh,
                           const std::vector<PeriodicBoundary> &periodicity,
                           const unsigned int                   n_refinements,
                           const CellCost                      &cost,
+                          const LocalRefinement<dim>          &refine,
                           const MPI_Comm                       communicator)
     {
       auto triangulation =
@@ -216,6 +249,7 @@ namespace stickslip
       joined_mesh.create(*triangulation);
       add_periodicity<dim>(periodicity, *triangulation);
       triangulation->refine_global(n_refinements);
+      refine(*triangulation);
       if (!cost.is_uniform())
         {
           triangulation->signals.weight.connect(
@@ -235,7 +269,8 @@ namespace stickslip
                           const std::vector<PeriodicBoundary> &periodicity,
                           const unsigned int                   n_refinements,
                           const CellCost                      &cost,
-                          const MPI_Comm                       communicator)
+                          const LocalRefinement<dim> & /*refine*/,
+                          const MPI_Comm communicator)
     {
       const unsigned int n_ranks =
         Utilities::MPI::n_mpi_processes(communicator);
@@ -279,7 +314,7 @@ namespace stickslip
              const NamedList<BodyParameters>    &body_parameters,
              const std::vector<PeriodicRequest> &periodic_requests,
              const MPI_Comm                      communicator,
-             const std::vector<CostlySurface>   &costly_surfaces)
+             const std::vector<NamedSurface>    &costly_surfaces)
   {
     if (body_parameters.empty())
       throw UserError(
@@ -323,14 +358,28 @@ namespace stickslip
                                          : parameters.bytes_per_cell,
                            with_metis,
                            "Mesh/Global refinements");
-    const auto distribute =
+    const auto &refinements = parameters.refinements;
+    if (!refinements.empty())
+      check_local_refinement(refinements.front().path,
+                             cell,
+                             parameters.partitioner,
+                             periodic_requests);
+    const double bytes_per_cell = parameters.bytes_per_cell;
+    const auto   distribute =
       (with_metis ? distribute_with_metis<dim> : distribute_with_p4est<dim>);
-    mesh.triangulation =
-      distribute(joined_mesh,
-                 mesh.periodic_boundaries,
-                 parameters.global_refinements,
-                 {costly_surfaces, mesh.bodies, parameters.contact_weight},
-                 communicator);
+    mesh.triangulation = distribute(
+      joined_mesh,
+      mesh.periodic_boundaries,
+      parameters.global_refinements,
+      {costly_surfaces, mesh.bodies, parameters.contact_weight},
+      [&](parallel::distributed::Triangulation<dim> &triangulation) {
+        if (!refinements.empty())
+          refine_locally(
+            refinements, mesh.bodies, size, bytes_per_cell, triangulation);
+      },
+      communicator);
+    if (!refinements.empty())
+      mesh.cells_by_level = cells_by_level(*mesh.triangulation);
     return mesh;
   }
 
@@ -341,11 +390,11 @@ namespace stickslip
                 const NamedList<BodyParameters> &,
                 const std::vector<PeriodicRequest> &,
                 const MPI_Comm,
-                const std::vector<CostlySurface> &);
+                const std::vector<NamedSurface> &);
   template Mesh<3>
   build_mesh<3>(const MeshParameters &,
                 const NamedList<BodyParameters> &,
                 const std::vector<PeriodicRequest> &,
                 const MPI_Comm,
-                const std::vector<CostlySurface> &);
+                const std::vector<NamedSurface> &);
 } // namespace stickslip

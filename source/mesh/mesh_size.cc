@@ -182,4 +182,20 @@ namespace stickslip
       bytes_in_words(is_too_much_in_all ? free_in_all : free_per_rank) +
       " are free there." + what_would_fit(n_cells, n_refinements, dim, fits));
   }
+
+
+
+  void
+  MeshSize::check_locally_refined(const double       n_cells,
+                                  const double       bytes_per_cell,
+                                  const std::string &what) const
+  {
+    const double need = n_cells * (bytes_of_mesh_cell(dim) + bytes_per_cell);
+    if (need > free_in_all)
+      throw UserError(
+        what + " makes at least " + cells_in_words(n_cells) +
+        ", which take at least " + bytes_in_words(need) + " in all; " +
+        bytes_in_words(free_in_all) +
+        " are free there. Take fewer levels or a smaller region.");
+  }
 } // namespace stickslip

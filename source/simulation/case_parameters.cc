@@ -131,6 +131,7 @@ namespace stickslip
     prm.enter_subsection("Mesh");
     mesh.add_parameters(prm);
     prm.leave_subsection();
+    add_named_list(prm, "Refinement", refinement);
     prm.enter_subsection("Algorithm");
     algorithm.add_parameters(prm);
     prm.enter_subsection("Cycling");
@@ -159,6 +160,7 @@ namespace stickslip
   {
     const ParameterFile file = given.with_constants_inserted();
     file.declare_names("Bodies", bodies);
+    file.declare_names("Refinement", refinement);
     file.declare_names("Materials", materials);
     file.declare_names("Amplitudes", amplitudes);
     file.declare_names("Boundary conditions", boundary_conditions);
@@ -180,6 +182,7 @@ namespace stickslip
     mesh.bytes_per_simplex = matrix_bytes_per_simplex(dimension, degree);
     check();
     request_ends_of_intervals();
+    mesh.refinements          = refinement_requests();
     const DeclaredSection all = declared_parameters(prm);
     if (!materials.empty())
       add_values(all, "Materials", physics);
@@ -196,6 +199,7 @@ namespace stickslip
   CaseParameters::declare_all(CaseParameters &parameters, ParameterHandler &prm)
   {
     parameters.bodies.emplace_back("<body>", BodyParameters());
+    parameters.refinement.emplace_back("<rule>", RefinementParameters());
     for (const std::string &law : constitutive_law_names())
       {
         parameters.materials.emplace_back("<" + law + " material>",
@@ -223,6 +227,8 @@ namespace stickslip
         "Section 'Bodies' names no body. Add one: 'subsection "
         "Bodies', 'subsection block', ...");
     check_named_list("Bodies", bodies);
+    for (const auto &[name, rule] : refinement)
+      rule.check("Refinement/" + name, dimension);
     for (const auto &[name, material] : materials)
       material.check("Materials/" + name, dimension, degree);
     check_named_list("Amplitudes", amplitudes);
@@ -325,10 +331,33 @@ namespace stickslip
 
 
 
-  std::vector<CostlySurface>
+  std::vector<RefinementRequest>
+  CaseParameters::refinement_requests() const
+  {
+    std::vector<RefinementRequest> requests;
+    for (const auto &[name, rule] : refinement)
+      {
+        requests.push_back({"Refinement/" + name, rule, {}, {}});
+        if (rule.contact_pair.empty())
+          continue;
+        const auto &pair = pair_called(rule.contact_pair, "Refinement/" + name);
+        const std::string path = "Contact/" + rule.contact_pair;
+        requests.back().slave  = {path + "/Slave boundary",
+                                  pair.slave_body,
+                                  pair.slave_boundary};
+        requests.back().master = {path + "/Master boundary",
+                                  pair.master_body,
+                                  pair.master_boundary};
+      }
+    return requests;
+  }
+
+
+
+  std::vector<NamedSurface>
   CaseParameters::slave_surfaces() const
   {
-    std::vector<CostlySurface> surfaces;
+    std::vector<NamedSurface> surfaces;
     for (const auto &[name, pair] : contact_pairs)
       surfaces.push_back({"Contact/" + name + "/Slave boundary",
                           pair.slave_body,

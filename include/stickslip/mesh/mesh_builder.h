@@ -22,14 +22,17 @@ namespace stickslip
     Bodies                                                       bodies;
     std::vector<PeriodicBoundary> periodic_boundaries;
     std::vector<std::string>      warnings; ///< for the user
+    /// Active cells, over all ranks; empty if all have the same level.
+    std::vector<types::global_cell_index> cells_by_level;
   };
 
   /**
    * Makes the bodies in the order of @p body_parameters, joins them without
-   * gluing coinciding vertices, distributes the result and refines it globally.
-   * "p4est" gives a parallel::distributed::Triangulation, which can be refined
-   * further; "METIS" a parallel::fullydistributed::Triangulation, which cannot,
-   * and is taken for triangles and tetrahedra whatever the parameter says.
+   * gluing coinciding vertices, distributes the result and refines it globally,
+   * then locally (p4est only, and not beside periodic boundaries). "p4est"
+   * gives a parallel::distributed::Triangulation, which can be refined further;
+   * "METIS" a parallel::fullydistributed::Triangulation, which cannot, and is
+   * taken for triangles and tetrahedra whatever the parameter says.
    * A face on one of the @p costly_surfaces counts as `Contact weight` cells
    * when the cells are distributed.
    *
@@ -43,7 +46,7 @@ namespace stickslip
              const NamedList<BodyParameters>    &body_parameters,
              const std::vector<PeriodicRequest> &periodic_requests,
              const MPI_Comm                      communicator,
-             const std::vector<CostlySurface>   &costly_surfaces = {});
+             const std::vector<NamedSurface>    &costly_surfaces = {});
 } // namespace stickslip
 
 #endif

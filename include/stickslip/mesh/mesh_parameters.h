@@ -2,6 +2,7 @@
 #define stickslip_mesh_mesh_parameters_h
 
 #include <stickslip/base/choice.h>
+#include <stickslip/mesh/refinement_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/types.h>
@@ -38,16 +39,11 @@ namespace stickslip
     double bytes_per_cell    = 0.;
     double bytes_per_simplex = 0.; ///< of each triangle or tetrahedron
 
+    /// Local refinements, after all others (set by the caller).
+    std::vector<RefinementRequest> refinements;
+
     void
     add_parameters(ParameterHandler &prm);
-  };
-
-  /// Boundaries whose cells cost more than others: slave surfaces.
-  struct CostlySurface
-  {
-    std::string              parameter_path; ///< for messages
-    std::string              body;
-    std::vector<std::string> boundary; ///< ids or names
   };
 
   /// The wish that two opposite boundaries of a body be identified.

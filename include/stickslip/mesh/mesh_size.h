@@ -44,6 +44,13 @@ namespace stickslip
                       const bool         on_one_rank,
                       const std::string &path) const;
 
+    /// For @p n_cells of a distributed mesh that is refined locally. Throws
+    /// UserError that begins with "@p what makes at least".
+    void
+    check_locally_refined(const double       n_cells,
+                          const double       bytes_per_cell,
+                          const std::string &what) const;
+
     /// Of the mesh alone [byte], rounded down: with the numbers of its
     /// unknowns, a refined cube grows by 460 (2D) and 820 (3D) byte per cell.
     static double

@@ -11,6 +11,7 @@
 
 #include <stickslip/mesh/body_parameters.h>
 #include <stickslip/mesh/mesh_parameters.h>
+#include <stickslip/mesh/refinement_parameters.h>
 
 #include <stickslip/output/output_parameters.h>
 
@@ -41,6 +42,7 @@ namespace stickslip
 
     MeshParameters                         mesh;
     NamedList<BodyParameters>              bodies;
+    NamedList<RefinementParameters>        refinement;
     NamedList<MaterialParameters>          materials;
     NamedList<AmplitudeParameters>         amplitudes;
     NamedList<BoundaryConditionParameters> boundary_conditions;
@@ -82,8 +84,12 @@ namespace stickslip
     Amplitudes
     make_amplitudes(const MPI_Comm communicator) const;
 
+    /// The rules of section `Refinement` with the surfaces that they name.
+    std::vector<RefinementRequest>
+    refinement_requests() const;
+
     /// What the distribution of the cells may weigh.
-    std::vector<CostlySurface>
+    std::vector<NamedSurface>
     slave_surfaces() const;
 
   private:

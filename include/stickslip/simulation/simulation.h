@@ -5,6 +5,7 @@
 
 #include <stickslip/contact/cycling/status_history.h>
 
+#include <stickslip/mesh/local_refinement.h>
 #include <stickslip/mesh/mesh_builder.h>
 
 #include <stickslip/output/contact_output.h>
@@ -54,12 +55,15 @@ namespace stickslip
     unsigned int
     run(const std::string &restart_from);
 
-    /// What is there between the contact surfaces where nothing is deformed,
-    /// and what looks wrong about it.
+    /// The cells by level where they differ; what is there between the contact
+    /// surfaces where nothing is deformed, and what looks wrong about it.
     std::vector<std::string>
     description_of_start()
     {
-      return describe(problem.contact(), problem.start());
+      auto       lines   = describe_levels(mesh.cells_by_level);
+      const auto contact = describe(problem.contact(), problem.start());
+      lines.insert(lines.end(), contact.begin(), contact.end());
+      return lines;
     }
 
   private:
