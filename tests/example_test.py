@@ -24,6 +24,7 @@ SHORTER = {
     "roller": {},
     "seal": {"Bodies/ring/Refinements": 3, "Load stepping/Initial step": 0.1},
     "slope": {},
+    "snap_fit": {"Load stepping/End time": 1.2, "Load stepping/Initial step": 0.04, "Checks/force across/Tolerance": 1},
     "snap_through": {},
     "sphere": {"Load stepping/Initial step": 1},
     "upsetting": {"Bodies/billet/Arguments": "6, 8 : 0, 0 : 8, 10 : true", "Load stepping/End time": 0.3},
