@@ -24,7 +24,8 @@ from stickslip import ResultsError
 from vtk_pictures import (add_scalar, cell_edges, colour_range, line_actor, lookup_table, outline_edges, picture_of,
                           split_by_value, surface_actor, surface_of, warped)
 
-STATES = [("no partner", "#e8e8e8"), ("open", "#bdbdbd"), ("stick", "#2b6cb0"), ("slip", "#e07b39"), ("closed", "#2f7d4f")]
+STATES = [("no partner", "#e8e8e8"), ("open", "#bdbdbd"), ("stick", "#2b6cb0"), ("slip", "#e07b39"), ("closed", "#2f7d4f"),
+          ("tied", "#6b4c9a")]
 STATE_COLOURS = [colour for _, colour in STATES]
 PAIR_COLOURS = ["#b5332e", "#2f7d4f", "#6b4c9a", "#8a6d1d"]
 # The ends of "turbo" are too dark for edges to be seen.
@@ -272,7 +273,7 @@ class RunPictures:
     def _legend(self, figure, x, y):
         figure.legend(handles=[Patch(facecolor=colour, edgecolor="0.3", label=name) for name, colour in STATES],
                       loc="center", ncol=len(STATES), frameon=False, bbox_to_anchor=(x, y), fontsize=12,
-                      handlelength=1.4, columnspacing=1.2)
+                      handlelength=1.4, columnspacing=0.9)
 
     def _note_hidden(self, figure, n_all, what):
         n_hidden = n_all - (len(self.curves) or len(self.shown_pairs))
@@ -337,7 +338,7 @@ class RunPictures:
         surface = surface_of(part, subdivisions=3)
         add_scalar(surface, field, None)
         if field == "status":
-            table = lookup_table(ListedColormap(STATE_COLOURS), (-0.5, 4.5), 5)
+            table = lookup_table(ListedColormap(STATE_COLOURS), (-0.5, len(STATES) - 0.5), len(STATES))
         else:
             table = lookup_table(PRESSURE_COLOURS, self.pressure_ranges[pair])
         direction, up = self._surface_view(pair)

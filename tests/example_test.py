@@ -14,6 +14,7 @@ from program_runs import fresh_directory, rows_of, settings, start
 SHORTER = {
     "belt": {"Load stepping/Initial step": 0.25},
     "bending": {"Bodies/sheet/Arguments": "22, 1 : 0, 0 : 22, 1 : true", "Load stepping/Initial step": 0.05},
+    "bolted_joint": {"Load stepping/Initial step": 0.5},
     "cylinder": {"Load stepping/Initial step": 1},
     "fretting": {"Load stepping/Initial step": 0.5},
     "indentation": {"Bodies/block/Arguments": "0 |9| 6 |6, 10| 40 : 0 |6, 0.1| 26 |6| 30", "Load stepping/Initial step": 0.05},

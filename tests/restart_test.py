@@ -56,6 +56,17 @@ def test_simplices(runs):
         compare(runs, name, "simplices", n_nodes=6)
 
 
+def test_ties(runs):
+    """Partners are those of the undeformed bodies, not those of the state."""
+    options = [f"Contact/interface/{name}" for name in ("Law=tied", "Friction=none", "Friction coefficient=0")]
+    printed = runs.run("tied", 1, options=options + SHORT)
+    for n_ranks, other in [(2, 1), (1, 2)]:
+        name = f"tied-{n_ranks}-{other}"
+        runs.run(name, n_ranks, options=options + ["Load stepping/End time=2"])
+        check(runs.run(name, other, "latest", options + SHORT) == printed, f"{name} prints the same")
+        compare(runs, name, "tied")
+
+
 def test_algorithms(runs):
     for algorithm in ("GNM", "PNM", "FPM"):
         options = [f"Algorithm/Name={algorithm}"]
@@ -208,7 +219,7 @@ def test_refused(runs):
 
 def main():
     runs = Runs(sys.argv[1], pathlib.Path(sys.argv[2]))
-    for test in (test_partitions, test_simplices, test_path_dependence, test_algorithms, test_fallback, test_cuts_and_growth,
+    for test in (test_partitions, test_simplices, test_ties, test_path_dependence, test_algorithms, test_fallback, test_cuts_and_growth,
                  test_failed_run, test_directory, test_refused):
         test(runs)
     print(f"{len(failures)} comparisons failed")

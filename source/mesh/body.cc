@@ -61,6 +61,11 @@ namespace stickslip
     std::set<types::boundary_id> result;
     for (const std::string &label : labels)
       {
+        if (label == "all" && boundaries.ids(label).empty())
+          {
+            result = all_boundary_ids(b);
+            continue;
+          }
         bool marks_any = false;
         for (const types::boundary_id local : boundaries.ids(label))
           if (present.count(local) > 0)

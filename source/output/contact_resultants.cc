@@ -14,7 +14,7 @@ namespace stickslip
     template <int dim>
     struct ContactSums
     {
-      static constexpr unsigned int n_values = 3 * dim + 3 + 9;
+      static constexpr unsigned int n_values = 3 * dim + 3 + 10;
 
       explicit ContactSums(double *values)
         : normal_force(values)
@@ -34,7 +34,8 @@ namespace stickslip
         n_open,
         n_stick,
         n_slip,
-        n_closed ///< without friction
+        n_closed, ///< without friction
+        n_tied
       };
 
       double *normal_force;
@@ -127,7 +128,7 @@ namespace stickslip
       result.friction_work  = sums.scalars[Sums::friction_work];
       result.max_pressure   = max_pressure;
       result.n_unpaired     = count(Sums::n_unpaired);
-      result.n_stick        = count(Sums::n_stick);
+      result.n_stick        = count(Sums::n_stick) + count(Sums::n_tied);
       result.n_slip         = count(Sums::n_slip);
       result.n_frictionless = count(Sums::n_closed);
       result.n_points =

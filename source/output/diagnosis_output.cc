@@ -103,6 +103,8 @@ namespace stickslip
             return "stick";
           case ContactState::slip:
             return "slip";
+          case ContactState::tied:
+            return "tied";
           case ContactState::closed:
             break;
         }

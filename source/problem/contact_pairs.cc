@@ -2,16 +2,43 @@
 
 #include <stickslip/base/user_error.h>
 
+#include <set>
 #include <string>
 
 namespace stickslip
 {
+  namespace
+  {
+    /// First dofs of the relevant nodes all of whose displacements @p supports
+    /// prescribe.
+    template <int dim>
+    std::set<types::global_dof_index>
+    held_nodes(const DofLayout<dim> &dofs, const Constraints &supports)
+    {
+      std::set<types::global_dof_index> held;
+      for (const auto dof : dofs.relevant)
+        {
+          // the components of a node are neighbours
+          bool is_held = dof % dim == 0;
+          for (unsigned int c = 0; is_held && c < dim; ++c)
+            is_held = supports.is_constrained(dof + c) &&
+                      supports.get_constraint_entries(dof + c)->empty();
+          if (is_held)
+            held.insert(dof);
+        }
+      return held;
+    }
+  } // namespace
+
+
+
   template <int dim>
   std::vector<std::unique_ptr<ContactPair<dim>>>
   make_contact_pairs(
     const NamedList<ContactPairParameters>                &parameters,
     const Bodies                                          &bodies,
     const DofLayout<dim>                                  &dofs,
+    const Constraints                                     &supports,
     const std::function<double(const types::material_id)> &modulus,
     const MPI_Comm                                        &communicator)
   {
@@ -23,13 +50,18 @@ namespace stickslip
           bodies.index_of(pair.slave_body, path + "/Slave body");
         const unsigned int master_body =
           bodies.index_of(pair.master_body, path + "/Master body");
-        const auto slave = bodies.global_boundary_ids(pair.slave_body,
-                                                      pair.slave_boundary,
-                                                      path + "/Slave boundary");
+        const auto slave =
+          pair.is_automatic
+            ? pair.slave_ids
+            : bodies.global_boundary_ids(pair.slave_body,
+                                         pair.slave_boundary,
+                                         path + "/Slave boundary");
         const auto master =
-          bodies.global_boundary_ids(pair.master_body,
-                                     pair.master_boundary,
-                                     path + "/Master boundary");
+          pair.is_automatic
+            ? pair.master_ids
+            : bodies.global_boundary_ids(pair.master_body,
+                                         pair.master_boundary,
+                                         path + "/Master boundary");
         if (bodies.bodies[slave_body].is_rigid &&
             bodies.bodies[master_body].is_rigid)
           throw UserError("'" + path + "': both bodies, '" + pair.slave_body +
@@ -39,12 +71,16 @@ namespace stickslip
                               master,
                               {},
                               bodies.all_boundary_ids(slave_body),
-                              bodies.all_boundary_ids(master_body)};
+                              bodies.all_boundary_ids(master_body),
+                              {}};
         if (!pair.excluded_boundaries.empty())
           surfaces.excluded =
             bodies.global_boundary_ids(pair.slave_body,
                                        pair.excluded_boundaries,
                                        path + "/Excluded boundaries");
+        // a bond there would leave its multiplier to the master alone
+        if (pair.is_bilateral() && !bodies.bodies[slave_body].is_rigid)
+          surfaces.excluded_nodes = held_nodes(dofs, supports);
         pairs.push_back(std::make_unique<ContactPair<dim>>(name,
                                                            pair,
                                                            surfaces,
@@ -61,6 +97,7 @@ namespace stickslip
     const NamedList<ContactPairParameters> &,                                 \
     const Bodies &,                                                           \
     const DofLayout<dim> &,                                                   \
+    const Constraints &,                                                      \
     const std::function<double(const types::material_id)> &,                  \
     const MPI_Comm &);
   INSTANTIATE(2)

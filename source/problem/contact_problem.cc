@@ -58,15 +58,13 @@ namespace stickslip
                ? std::numeric_limits<double>::infinity()
                : solid_assembler->longitudinal_modulus(material);
     };
-    contact_assembler =
-      std::make_unique<ContactAssembler<dim>>(make_contact_pairs(contact_pairs,
-                                                                 mesh.bodies,
-                                                                 dofs,
-                                                                 modulus_of,
-                                                                 communicator),
-                                              dofs.owned,
-                                              dofs.relevant,
-                                              communicator);
+    const Constraints supports = supports_at_start();
+    contact_assembler          = std::make_unique<ContactAssembler<dim>>(
+      make_contact_pairs(
+        contact_pairs, mesh.bodies, dofs, supports, modulus_of, communicator),
+      dofs.owned,
+      dofs.relevant,
+      communicator);
     constraints = std::make_unique<ProblemConstraints<dim>>(
       dofs, mesh.bodies, boundary_conditions, *contact_assembler, communicator);
     sparsity           = std::make_unique<ProblemSparsity<dim>>(dofs,
@@ -103,7 +101,9 @@ namespace stickslip
     force_floor = 1e-8 * modulus * std::pow(extent, dim - 1);
     // A spring on one side of a body is lost in the roundoff of its matrix.
     softest_spring = 1e-11 * modulus / extent;
-    find_symmetry_planes();
+    for (const auto &pair : contact_assembler->contact_pairs())
+      if (pair->mortar)
+        pair->mortar->find_symmetry_planes(supports);
     contact_start = look_at_contact(*contact_assembler, dofs);
     x_old         = zero_state();
     solid_assembler->stabilization().set_start(u_old);
@@ -112,16 +112,18 @@ namespace stickslip
 
 
   template <int dim>
-  void
-  ContactProblem<dim>::find_symmetry_planes()
+  Constraints
+  ContactProblem<dim>::supports_at_start() const
   {
     Constraints supports(dofs.relevant);
-    boundary_conditions.add_prescribed_displacements(
-      dofs.mapping, dofs.dof_handler, time, zero_state().block(0), supports);
+    boundary_conditions.add_prescribed_displacements(dofs.mapping,
+                                                     dofs.dof_handler,
+                                                     time,
+                                                     LA::Vector(dofs.owned,
+                                                                communicator),
+                                                     supports);
     supports.close();
-    for (const auto &pair : contact_assembler->contact_pairs())
-      if (pair->mortar)
-        pair->mortar->find_symmetry_planes(supports);
+    return supports;
   }
 
 

@@ -127,6 +127,9 @@ namespace stickslip
     add_named_list(prm, "Materials", materials);
     add_named_list(prm, "Amplitudes", amplitudes);
     add_named_list(prm, "Boundary conditions", boundary_conditions);
+    prm.enter_subsection("Contact");
+    automatic_contact.add_parameters(prm);
+    prm.leave_subsection();
     add_named_list(prm, "Contact", contact_pairs);
     prm.enter_subsection("Mesh");
     mesh.add_parameters(prm);
@@ -188,6 +191,10 @@ namespace stickslip
       add_values(all, "Materials", physics);
     if (!contact_pairs.empty())
       add_values(all, "Contact", physics);
+    if (automatic_contact.active)
+      physics.emplace_back("Contact/Automatic friction coefficient",
+                           std::to_string(
+                             automatic_contact.friction_coefficient));
     std::ostringstream values;
     print_parameters(values, prm, ParameterFormat::all);
     record = values.str();
@@ -233,15 +240,10 @@ namespace stickslip
       material.check("Materials/" + name, dimension, degree);
     check_named_list("Amplitudes", amplitudes);
     check_named_list("Boundary conditions", boundary_conditions);
+    automatic_contact.check("Contact");
     check_named_list("Contact", contact_pairs);
     if (needs_law_per_multiplier(algorithm.name))
-      for (const auto &[name, pair] : contact_pairs)
-        if (!has_one_multiplier_per_point(pair.quadrature))
-          throw UserError("'Contact/" + name + "/Quadrature' = " +
-                          name_of(pair.quadrature, all_contact_rules()) +
-                          ": 'Algorithm/Name = " + name_of(algorithm.name) +
-                          "' needs 'segments' or 'nodal', where the law holds "
-                          "at each multiplier.");
+      check_pairs_have_law_per_multiplier();
     algorithm.check("Algorithm");
     check_pairs_differ(contact_pairs);
     load_stepping.check("Load stepping");
@@ -263,6 +265,30 @@ namespace stickslip
         pair_called(line.contact_pair, "Output/Contact lines/" + name);
       }
     check_named_list("Checks", checks);
+  }
+
+
+
+  void
+  CaseParameters::check_pairs_have_law_per_multiplier() const
+  {
+    const std::string algorithm_is =
+      "'Algorithm/Name = " + name_of(algorithm.name) + "' ";
+    for (const auto &[name, pair] : contact_pairs)
+      {
+        const std::string path = "'Contact/" + name;
+        if (!has_one_multiplier_per_point(pair.quadrature))
+          throw UserError(path + "/Quadrature' = " +
+                          name_of(pair.quadrature, all_contact_rules()) + ": " +
+                          algorithm_is +
+                          "needs 'segments' or 'nodal', where the law holds "
+                          "at each multiplier.");
+        if (pair.is_bilateral())
+          throw UserError(path +
+                          "/Law = " + name_of(pair.law, all_pair_laws()) +
+                          "': " + algorithm_is +
+                          "knows 'contact' only. Take another algorithm.");
+      }
   }
 
 
@@ -351,6 +377,26 @@ namespace stickslip
       }
     return requests;
   }
+
+
+
+  template <int dim>
+  AutomaticPairs
+  CaseParameters::add_automatic_pairs(const Mesh<dim> &mesh)
+  {
+    AutomaticPairs automatic = automatic_pairs(
+      mesh, automatic_contact, contact_pairs, boundary_conditions, materials);
+    contact_pairs.insert(contact_pairs.end(),
+                         automatic.pairs.begin(),
+                         automatic.pairs.end());
+    output.pair_names = names_of_pairs(contact_pairs);
+    return automatic;
+  }
+
+  template AutomaticPairs
+  CaseParameters::add_automatic_pairs(const Mesh<2> &);
+  template AutomaticPairs
+  CaseParameters::add_automatic_pairs(const Mesh<3> &);
 
 
 

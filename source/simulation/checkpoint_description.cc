@@ -184,7 +184,10 @@ namespace stickslip
             " contact points, " +
             std::to_string(pairs[p]->multiplier_shape.n_nodes()) + " x " +
             std::to_string(pairs[p]->n_multiplier_components()) +
-            " multipliers per face");
+            " multipliers per face" +
+            (pairs[p]->parameters.is_bilateral()
+               ? ", " + name_of(pairs[p]->parameters.law, all_pair_laws())
+               : ""));
     return result;
   }
 

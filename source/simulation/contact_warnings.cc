@@ -40,6 +40,7 @@ namespace stickslip
     for (const auto &[name, pair] : pairs)
       {
         names.push_back(name);
+        is_automatic.push_back(pair.is_automatic);
         const std::string path = "'Contact/" + name;
         const auto        master =
           std::find_if(bodies.begin(),
@@ -88,7 +89,7 @@ namespace stickslip
         is_paired[p]  = resultants[p].n_unpaired < resultants[p].n_points;
         was_paired[p] = was_paired[p] || is_paired[p];
         was_closed[p] = was_closed[p] || resultants[p].n_closed() > 0;
-        if (was_paired_before && !is_paired[p])
+        if (was_paired_before && !is_paired[p] && !is_automatic[p])
           texts.push_back("no point of contact pair '" + names[p] +
                           "' has a master face opposite and near it: the slave "
                           "is far away, has slid off the master or has fallen "
@@ -104,7 +105,9 @@ namespace stickslip
   {
     std::vector<std::string> texts;
     for (unsigned int p = 0; n_steps > 0 && p < names.size(); ++p)
-      if (!was_paired[p])
+      if (is_automatic[p])
+        continue; // most of these are there in case that bodies come near
+      else if (!was_paired[p])
         texts.push_back("contact pair '" + names[p] +
                         "' has not acted: in none of the steps of this run " +
                         "had any of its points a master face opposite and "

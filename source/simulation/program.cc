@@ -73,7 +73,7 @@ namespace stickslip
 
     template <int dim>
     int
-    run_case(const CaseParameters &parameters, const CommandLine &command_line)
+    run_case(CaseParameters &parameters, const CommandLine &command_line)
     {
       const bool is_validation =
         command_line.action == CommandLine::Action::validate;

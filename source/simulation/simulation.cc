@@ -18,8 +18,8 @@
 namespace stickslip
 {
   template <int dim>
-  Simulation<dim>::Simulation(const CaseParameters &parameters,
-                              const MPI_Comm       &communicator)
+  Simulation<dim>::Simulation(CaseParameters &parameters,
+                              const MPI_Comm &communicator)
     : parameters(parameters)
     , communicator(communicator)
     , mesh(build_mesh<dim>(parameters.mesh,
@@ -27,6 +27,7 @@ namespace stickslip
                            parameters.periodic_requests(),
                            communicator,
                            parameters.slave_surfaces()))
+    , automatic(parameters.add_automatic_pairs(mesh))
     , problem(mesh,
               parameters.degree,
               parameters.materials,

@@ -34,6 +34,7 @@ namespace
     unsigned int order         = 0;          // of segments
     bool         simplices     = false;
     bool         hanging_slave = false; // one corner of the slave surface
+    std::string  law           = "contact"; // Contact/<pair>/Law
   };
 
 
@@ -118,6 +119,7 @@ namespace
     pair.slave_boundary       = {"2"};
     pair.master_body          = "lower";
     pair.master_boundary      = {"3"};
+    pair.law                  = value_of(c.law, all_pair_laws());
     pair.friction             = value_of(c.friction, all_frictions());
     pair.friction_coefficient = 0.4;
     pair.tresca_threshold     = 0.7;
@@ -520,6 +522,24 @@ namespace
 
 
 
+  /// Pairs that cannot part.
+  template <int dim>
+  void
+  test_bilateral()
+  {
+    for (const std::string law : {"tied", "no separation"})
+      for (const unsigned int degree : {1, 2})
+        if (dim == 2 || degree == 1)
+          {
+            Case c{law, degree, "smoothed", "segments", "none"};
+            c.weighting = "dual";
+            c.law       = law;
+            test_case<dim>(c);
+          }
+  }
+
+
+
   template <int dim>
   void
   test_all()
@@ -568,4 +588,6 @@ main(int argc, char **argv)
   test_all<3>();
   test_simplices<2>();
   test_simplices<3>();
+  test_bilateral<2>();
+  test_bilateral<3>();
 }

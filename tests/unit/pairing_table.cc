@@ -476,10 +476,10 @@ namespace
       std::vector<double> N, N_master;
       const auto         &shape    = pair.patch->face_shape();
       const auto          pairings = pair.find_pairings().segments;
-      for (unsigned int f = 0; f < pairings->segments.size(); ++f)
+      for (unsigned int f = 0; f < pairings->segments->size(); ++f)
         {
           const MortarFace<dim>   &slave    = pair.mortar->mortar_faces()[f];
-          const FaceSegments<dim> &segments = pairings->segments[f];
+          const FaceSegments<dim> &segments = (*pairings->segments)[f];
           const auto n = projection_plane(slave.face, shape, slave.positions).n;
           for (unsigned int m = 0; m < segments.masters.size(); ++m)
             {

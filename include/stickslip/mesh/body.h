@@ -54,8 +54,9 @@ namespace stickslip
                        const types::boundary_id local) const;
 
     /// The triangulation's ids of several boundaries of a body given by name.
-    /// @p labels are ids or names. Throws UserError (with what there is) if
-    /// there is no such body, if @p labels is empty or if one marks no face.
+    /// @p labels are ids or names, or `all` for the whole boundary. Throws
+    /// UserError (with what there is) if there is no such body, if @p labels is
+    /// empty or if one marks no face.
     std::set<types::boundary_id>
     global_boundary_ids(const std::string              &body,
                         const std::vector<std::string> &labels,

@@ -26,24 +26,19 @@ namespace stickslip
     Point<dim>       overlap_at; ///< likewise, if any overlaps
     unsigned int     n_open = 0;
     BoundingBox<dim> slave, master; ///< of the surfaces
+    BoundingBox<dim> unpaired;      ///< around the points without a partner
   };
 
   /**
    * Pairs the points of all pairs of @p contact without displacements, tells
    * the pairs how far they are from their partners (GapOffsets), and returns
    * what it has seen. Throws UserError (same on all ranks) for an overlap above
-   * `Largest initial overlap`. Collective.
+   * `Largest initial overlap` and for a pair that cannot part and has no
+   * partner. Collective.
    */
   template <int dim>
   std::vector<ContactAtStart<dim>>
   look_at_contact(ContactAssembler<dim> &contact, const DofLayout<dim> &dofs);
-
-  /// A line per pair, and warnings about pairs that can never meet, are given
-  /// twice, or share a surface that is slave of one and master of the other.
-  template <int dim>
-  std::vector<std::string>
-  describe(const ContactAssembler<dim>            &contact,
-           const std::vector<ContactAtStart<dim>> &start);
 } // namespace stickslip
 
 #endif

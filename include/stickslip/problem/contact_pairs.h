@@ -18,7 +18,9 @@ namespace stickslip
   /**
    * The contact pairs that the user asks for, in the order of the file.
    * @p modulus gives the longitudinal modulus by material id, infinity for a
-   * rigid body. Throws UserError (same on all ranks) for unknown bodies and
+   * rigid body, @p supports (closed) what is prescribed at the start: where all
+   * displacements of a slave node are, a pair that cannot part has no
+   * multiplier. Throws UserError (same on all ranks) for unknown bodies and
    * boundaries and for two rigid bodies. Collective.
    */
   template <int dim>
@@ -27,6 +29,7 @@ namespace stickslip
     const NamedList<ContactPairParameters>                &parameters,
     const Bodies                                          &bodies,
     const DofLayout<dim>                                  &dofs,
+    const Constraints                                     &supports,
     const std::function<double(const types::material_id)> &modulus,
     const MPI_Comm                                        &communicator);
 } // namespace stickslip

@@ -294,8 +294,9 @@ namespace stickslip
     LA::BlockSparseMatrix system_matrix;
     LA::BlockVector       rhs;
 
-    void
-    find_symmetry_planes();
+    /// What prescribes displacements where nothing is deformed.
+    Constraints
+    supports_at_start() const;
 
     void
     update_ghost_layout();

@@ -5,6 +5,7 @@
 #include <stickslip/base/parameter_file.h>
 
 #include <stickslip/contact/cycling/status_cycle_treatment.h>
+#include <stickslip/contact/point/automatic_contact.h>
 #include <stickslip/contact/point/contact_parameters.h>
 
 #include <stickslip/linear_solvers/linear_solver.h>
@@ -15,6 +16,7 @@
 
 #include <stickslip/output/output_parameters.h>
 
+#include <stickslip/problem/automatic_pairs.h>
 #include <stickslip/problem/verification.h>
 
 #include <stickslip/simulation/checkpoint_description.h>
@@ -46,6 +48,7 @@ namespace stickslip
     NamedList<MaterialParameters>          materials;
     NamedList<AmplitudeParameters>         amplitudes;
     NamedList<BoundaryConditionParameters> boundary_conditions;
+    AutomaticContact                       automatic_contact;
     NamedList<ContactPairParameters>       contact_pairs;
     AlgorithmParameters                    algorithm;
     CyclingParameters                      cycling;
@@ -75,6 +78,12 @@ namespace stickslip
     /// Everything that can be set, with placeholder names such as `<body>`.
     static void
     declare_all(CaseParameters &parameters, ParameterHandler &prm);
+
+    /// Adds the pairs that the file does not name, and returns them. The
+    /// ParameterHandler of read() must not be set afterwards. Collective.
+    template <int dim>
+    AutomaticPairs
+    add_automatic_pairs(const Mesh<dim> &mesh);
 
     /// Requests for periodic boundaries, which the mesh must know.
     std::vector<PeriodicRequest>
@@ -106,6 +115,9 @@ namespace stickslip
     /// Load steps end where a condition begins or ceases to act.
     void
     request_ends_of_intervals();
+
+    void
+    check_pairs_have_law_per_multiplier() const;
   };
 } // namespace stickslip
 

@@ -15,7 +15,9 @@
 #include <stickslip/output/progress.h>
 #include <stickslip/output/statistics_table.h>
 
+#include <stickslip/problem/automatic_pairs.h>
 #include <stickslip/problem/contact_problem.h>
+#include <stickslip/problem/start_description.h>
 
 #include <stickslip/simulation/accepted_state.h>
 #include <stickslip/simulation/case_parameters.h>
@@ -42,8 +44,9 @@ namespace stickslip
   class Simulation
   {
   public:
-    /// Builds meshes, spaces and contact pairs. Throws UserError. Collective.
-    Simulation(const CaseParameters &parameters, const MPI_Comm &communicator);
+    /// Builds meshes, spaces and contact pairs, and adds the automatic ones to
+    /// @p parameters. Throws UserError. Collective.
+    Simulation(CaseParameters &parameters, const MPI_Comm &communicator);
 
     /**
      * Solves all load steps and writes the results. Returns the number of
@@ -60,8 +63,10 @@ namespace stickslip
     std::vector<std::string>
     description_of_start()
     {
-      auto       lines   = describe_levels(mesh.cells_by_level);
-      const auto contact = describe(problem.contact(), problem.start());
+      std::vector<std::string> lines   = automatic.reasons;
+      const auto               levels  = describe_levels(mesh.cells_by_level);
+      const auto               contact = describe(problem.contact(), problem.start());
+      lines.insert(lines.end(), levels.begin(), levels.end());
       lines.insert(lines.end(), contact.begin(), contact.end());
       return lines;
     }
@@ -70,6 +75,7 @@ namespace stickslip
     const CaseParameters         &parameters;
     MPI_Comm                      communicator;
     Mesh<dim>                     mesh;
+    AutomaticPairs                automatic;
     ContactProblem<dim>           problem;
     std::unique_ptr<LinearSolver> linear_solver;
     StepControl                   step_control;

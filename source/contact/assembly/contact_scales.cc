@@ -130,7 +130,9 @@ namespace stickslip
             const bool closed = contact.live_closed(*pair, point);
             n_closed += closed ? 1 : 0;
             double s = parameters.tresca_threshold;
-            if (parameters.friction == Friction::Coulomb)
+            if (parameters.is_tied())
+              s = pair->softest_modulus;
+            else if (parameters.friction == Friction::Coulomb)
               s = closed ? contact.live_threshold(*pair, point) : 0.;
             if (s <= point.scales.negligible_threshold)
               s = 0.;

@@ -15,7 +15,8 @@ namespace stickslip
       LA::Vector  sum(multipliers.locally_owned(), contact.get_communicator());
       for_each_point(
         contact, [&](const ContactPair<3> &pair, const ContactPoint<3> &point) {
-          if (!pair.parameters.has_friction() || !point.pairing.paired)
+          if (!pair.parameters.has_tangential_traction() ||
+              !point.pairing.paired)
             return;
           const auto &dofs =
             pair.slave_faces[point.geometry.slave_face].multiplier_dofs;
@@ -53,7 +54,8 @@ namespace stickslip
         const LA::Vector axes = mean_axes(contact);
         for_each_point(
           contact, [&axes](ContactPair<dim> &pair, ContactPoint<dim> &point) {
-            if (!pair.parameters.has_friction() || !point.pairing.paired)
+            if (!pair.parameters.has_tangential_traction() ||
+                !point.pairing.paired)
               return;
             const auto &dofs =
               pair.slave_faces[point.geometry.slave_face].multiplier_dofs;

@@ -18,6 +18,8 @@ namespace stickslip
       ContactStatus result;
       if (!point.pairing.paired)
         return result;
+      if (pair.parameters.is_bilateral())
+        return {true, pair.parameters.is_tied()};
       if (rule == StatusRule::all_stick)
         return {true, has_friction};
       result.closed = point.treatment.fixed_closed.value_or(
@@ -39,9 +41,10 @@ namespace stickslip
     ThresholdKind
     threshold_kind(const ContactPairParameters &parameters, const bool is_live)
     {
-      if (!parameters.has_friction())
+      if (!parameters.has_tangential_traction())
         return ThresholdKind::none;
-      if (parameters.friction == Friction::Tresca || !is_live)
+      if (parameters.is_tied() || parameters.friction == Friction::Tresca ||
+          !is_live)
         return ThresholdKind::given;
       return parameters.threshold_form == ThresholdForm::plain
                ? ThresholdKind::plain
@@ -171,6 +174,8 @@ namespace stickslip
   PointEvaluator<dim>::live_closed(const ContactPair<dim>  &pair,
                                    const ContactPoint<dim> &point)
   {
+    if (pair.parameters.is_bilateral())
+      return point.pairing.paired;
     evaluate_kinematics(pair, point, false, false);
     return point.pairing.paired && is_closed(state.multipliers.lambda_n,
                                              state.kinematics.d_n,
@@ -209,7 +214,9 @@ namespace stickslip
 
     PointLaw law;
     law.r = point.regularization;
-    if (status_rule == StatusRule::all_stick)
+    // what is closed anyway needs no augmentation, and would only feel the
+    // roundoff of its gap
+    if (status_rule == StatusRule::all_stick || parameters.is_bilateral())
       law.r.r_n_augmentation = law.r.r_t_augmentation = 0.;
     law.threshold.kind       = threshold_kind(parameters, live.threshold);
     law.threshold.negligible = point.scales.negligible_threshold;
@@ -217,7 +224,9 @@ namespace stickslip
     law.threshold.given                = parameters.friction == Friction::Tresca
                                            ? parameters.tresca_threshold
                                            : point.frozen.threshold;
-    law.open_row                       = point.scales.open_row;
+    if (parameters.is_tied())
+      law.threshold.given = pair.softest_modulus;
+    law.open_row = point.scales.open_row;
     return law;
   }
 

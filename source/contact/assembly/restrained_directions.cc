@@ -194,7 +194,8 @@ namespace stickslip
       for_each_point(
         contact,
         [&](const ContactPair<dim> &pair, const ContactPoint<dim> &point) {
-          if (!pair.parameters.has_friction() || !point.pairing.paired)
+          if (!pair.parameters.has_tangential_traction() ||
+              !point.pairing.paired)
             return;
           const SymmetricTensor<2, dim> K =
             moves_freely(pair, point, constraints)
@@ -229,7 +230,7 @@ namespace stickslip
     const auto nodal = nodal_mobilities(contact, constraints);
     for_each_point(
       contact, [&](ContactPair<dim> &pair, ContactPoint<dim> &point) {
-        if (!pair.parameters.has_friction())
+        if (!pair.parameters.has_tangential_traction())
           return;
         point.restrained.directions.clear();
         if (!point.pairing.paired || moves_freely(pair, point, constraints))

@@ -28,17 +28,16 @@ namespace stickslip
         "/" + std::to_string(point.geometry.quadrature_index);
       result.reference_position = Point<dim>(point.geometry.reference_position);
       result.position           = Point<dim>(pair.slave_position(point).x);
-      result.state              = shown_state(observe(point, state).state,
-                                 pair.parameters.has_friction());
-      result.was_paired         = point.initial_pairing.paired;
-      result.has_threshold      = state.response.threshold > 0.;
+      result.state = shown_state(observe(point, state).state, pair.parameters);
+      result.was_paired    = point.initial_pairing.paired;
+      result.has_threshold = state.response.threshold > 0.;
       if (!point.pairing.paired)
         return result;
       result.gap   = -state.kinematics.d_n;
       result.facet = name_of_face(pair.patch->face(point.pairing.face).id);
       if (state.status.closed)
         result.pressure = state.response.traction * state.kinematics.n;
-      if (pair.parameters.has_friction())
+      if (pair.parameters.has_tangential_traction())
         result.Lambda =
           tangential_vector<dim>(state.multipliers.Lambda, state.kinematics.tau)
             .norm();

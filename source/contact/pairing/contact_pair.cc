@@ -111,7 +111,8 @@ namespace stickslip
                                          : 4. * largest_slave_diameter,
                                        parameters.projection_tolerance,
                                        parameters.facet_overlap,
-                                       parameters.end_overlap};
+                                       parameters.end_overlap,
+                                       parameters.least_cosine};
     patch = std::make_unique<MasterPatch<dim>>(owned_masters,
                                                displacement_shape,
                                                tolerances,
@@ -124,6 +125,8 @@ namespace stickslip
                                     mapping,
                                     dof_handler,
                                     communicator);
+    excluded.insert(surfaces.excluded_nodes.begin(),
+                    surfaces.excluded_nodes.end());
     hanging =
       HangingNodes::find(dof_handler, multiplier_shape.degree(), slaves);
     const Quadrature<dim - 1> quadrature =
@@ -168,7 +171,7 @@ namespace stickslip
   unsigned int
   ContactPair<dim>::n_multiplier_components() const
   {
-    return parameters.has_friction() ? dim : 1;
+    return parameters.has_tangential_traction() ? dim : 1;
   }
 
 
@@ -211,6 +214,8 @@ namespace stickslip
   bool
   ContactPair<dim>::update_patch(const LA::Vector &u, const bool force)
   {
+    if (mortar && mortar->keeps_partners())
+      return false;
     slave_nodes.read(searching_faces(), u);
     master_nodes.read(patch->owned_faces(), u);
     const double motion =

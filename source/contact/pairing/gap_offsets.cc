@@ -11,6 +11,7 @@ namespace stickslip
   GapOffsets<dim>::GapOffsets(const ContactPairParameters &parameters,
                               const std::string           &path_of_pair)
     : initial_gaps(parameters.initial_gaps)
+    , keeps_gaps(parameters.is_bilateral())
     , has_function(parameters.gap_offset != "0")
     , function(parameters.gap_offset, 1, path_of_pair + "/Gap offset")
     , path(path_of_pair + "/Gap offset")
@@ -35,14 +36,19 @@ namespace stickslip
           error << "'" << path << "' is not a number at ("
                 << point.geometry.reference_position << "), time " << time
                 << ".";
-        if (depths_at_start.empty() || !initial_gaps.changes_gaps())
+        if (depths_at_start.empty() ||
+            !(initial_gaps.changes_gaps() || keeps_gaps))
           continue;
-        const double of_start = initial_gaps.offset(depths_at_start[i], time);
+        const double of_start =
+          keeps_gaps ? initial_gaps.kept_share(time) * depths_at_start[i]
+                     : initial_gaps.offset(depths_at_start[i], time);
         point.gap_offset += of_start;
-        if (mortar)
+        if (mortar && !keeps_gaps)
           mortar->set_gap_offset(point.geometry.mortar_node, of_start);
       }
     throw_collectively(error.str(), communicator);
+    if (mortar && mortar->keeps_partners())
+      mortar->set_kept_share(initial_gaps.kept_share(time));
     if (mortar && has_function)
       mortar->update_gap_offsets([this, time](const Point<dim> &position) {
         return function.value(position, time);

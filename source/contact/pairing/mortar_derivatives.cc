@@ -238,6 +238,7 @@ namespace stickslip
     const std::vector<FaceSegments<dim>>  &segments,
     const std::vector<FaceIntegrals<dim>> &integrals,
     const MasterPatch<dim>                &patch,
+    const bool                             partners_move,
     MortarDerivative<dim>                 &derivative) const
   {
     const unsigned int n_slave = node.n_stencil_nodes();
@@ -272,7 +273,7 @@ namespace stickslip
               derivative.D_normal[around.stencil[k]] +=
                 node.projection * D_node_normal[k];
           }
-        if (!average.paired)
+        if (!average.paired || !partners_move)
           continue;
 
         const std::vector<FullMatrix<double>> D_M =

@@ -12,46 +12,6 @@
 
 namespace stickslip
 {
-  namespace
-  {
-    /// The segments with the present numbers of the master faces, without
-    /// those whose master is out of reach.
-    template <int dim>
-    FaceSegments<dim>
-    relocated_segments(const FaceSegments<dim> &before,
-                       const MasterPatch<dim>  &patch)
-    {
-      FaceSegments<dim>         after;
-      std::vector<unsigned int> number(before.masters.size());
-      std::vector<bool>         is_there(before.masters.size());
-      for (unsigned int i = 0; i < before.masters.size(); ++i)
-        {
-          const unsigned int m = patch.index_of(before.master_ids[i]);
-          is_there[i]          = m < patch.n_faces();
-          number[i]            = after.masters.size();
-          if (!is_there[i])
-            continue;
-          after.masters.push_back(m);
-          after.master_ids.push_back(before.master_ids[i]);
-        }
-      for (SegmentPoint<dim> point : before.points)
-        if (is_there[point.master])
-          {
-            point.master = number[point.master];
-            after.points.push_back(point);
-          }
-      for (SegmentEnd<dim> end : before.ends)
-        if (is_there[end.master])
-          {
-            end.master = number[end.master];
-            after.ends.push_back(end);
-          }
-      return after;
-    }
-  } // namespace
-
-
-
   template <int dim>
   MortarSurface<dim>::MortarSurface(
     const FaceShape<dim>                    &displacement_shape,
@@ -246,7 +206,8 @@ namespace stickslip
   MortarSurface<dim>::empty_pairing() const
   {
     const auto pairing = std::make_shared<MortarPairing<dim>>();
-    pairing->segments.resize(faces.size());
+    pairing->segments =
+      std::make_shared<typename MortarPairing<dim>::Segments>(faces.size());
     pairing->frames.resize(nodes.size());
     return pairing;
   }
@@ -271,6 +232,42 @@ namespace stickslip
 
   template <int dim>
   void
+  MortarSurface<dim>::keep_partners(const bool tied)
+  {
+    kept = current->segments;
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      {
+        const Tensor<1, dim> &r = averages[i].r;
+        Tensor<1, dim>        along;
+        along[0] = current->frames[i].n * r;
+        for (unsigned int b = 0; b < dim - 1; ++b)
+          along[1 + b] = current->frames[i].tau[b] * r;
+        kept_positions.push_back(along);
+        if (tied)
+          nodes[i].tie_offset.emplace();
+      }
+    set_kept_share(1.);
+  }
+
+
+
+  template <int dim>
+  void
+  MortarSurface<dim>::set_kept_share(const double share)
+  {
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      {
+        nodes[i].gap_offset = share * kept_positions[i][0];
+        if (nodes[i].tie_offset)
+          for (unsigned int b = 0; b < dim - 1; ++b)
+            (*nodes[i].tie_offset)[b] = share * kept_positions[i][1 + b];
+      }
+  }
+
+
+
+  template <int dim>
+  void
   MortarSurface<dim>::update_configuration(const LA::Vector &u,
                                            const LA::Vector &u_old)
   {
@@ -285,12 +282,24 @@ namespace stickslip
 
 
   template <int dim>
+  typename MortarSurface<dim>::SegmentsPointer
+  MortarSurface<dim>::find_all_segments(const MasterPatch<dim> &patch) const
+  {
+    const auto segments =
+      std::make_shared<typename MortarPairing<dim>::Segments>();
+    for (const MortarFace<dim> &slave : faces)
+      segments->push_back(find_segments(slave, rule, patch));
+    return segments;
+  }
+
+
+
+  template <int dim>
   typename MortarSurface<dim>::PairingPointer
   MortarSurface<dim>::find(const MasterPatch<dim> &patch) const
   {
     const auto pairing = std::make_shared<MortarPairing<dim>>();
-    for (const MortarFace<dim> &slave : faces)
-      pairing->segments.push_back(find_segments(slave, rule, patch));
+    pairing->segments  = kept ? kept : find_all_segments(patch);
     for (const auto &node : nodes)
       pairing->frames.push_back(
         integrals.frame_at(node, faces, pairing->segments, patch));
@@ -304,18 +313,19 @@ namespace stickslip
   MortarSurface<dim>::use(const PairingPointer   &pairing,
                           const MasterPatch<dim> &patch)
   {
-    if (pairing != current || over_faces.size() != faces.size())
+    current              = pairing;
+    const auto &segments = *current->segments;
+    if (integrated != current->segments)
       {
-        // a function of the pairing alone: a frozen one keeps them
-        current = pairing;
+        // a function of the segments alone: frozen ones keep them
+        integrated = current->segments;
         over_faces.clear();
         for (unsigned int f = 0; f < faces.size(); ++f)
-          over_faces.push_back(
-            integrals.integrate(faces[f], current->segments[f]));
+          over_faces.push_back(integrals.integrate(faces[f], segments[f]));
       }
     for (unsigned int i = 0; i < nodes.size(); ++i)
-      averages[i] = integrals.average(
-        nodes[i], faces, current->segments, over_faces, patch);
+      averages[i] =
+        integrals.average(nodes[i], faces, segments, over_faces, patch);
   }
 
 
@@ -343,7 +353,7 @@ namespace stickslip
   {
     std::set<unsigned int> masters;
     for (const auto &around : nodes[i].faces)
-      for (const unsigned int m : current->segments[around.face].masters)
+      for (const unsigned int m : (*current->segments)[around.face].masters)
         masters.insert(m);
     return {masters.begin(), masters.end()};
   }
@@ -360,9 +370,10 @@ namespace stickslip
                               averages[i],
                               current->frames[i],
                               faces,
-                              current->segments,
+                              *current->segments,
                               over_faces,
                               patch,
+                              !keeps_partners(),
                               derivative);
   }
 
@@ -372,14 +383,8 @@ namespace stickslip
   void
   MortarSurface<dim>::relocate(const MasterPatch<dim> &patch)
   {
-    const auto relocated = [&patch](const PairingPointer &pairing) {
-      const auto copy = std::make_shared<MortarPairing<dim>>(*pairing);
-      for (FaceSegments<dim> &segments : copy->segments)
-        segments = relocated_segments(segments, patch);
-      return copy;
-    };
-    remembered = relocated(remembered);
-    accepted   = relocated(accepted);
+    remembered = relocated(*remembered, patch);
+    accepted   = relocated(*accepted, patch);
   }
 
   template class MortarSurface<2>;

@@ -12,10 +12,6 @@ namespace stickslip
 {
   namespace
   {
-    /// A master face looks at a slave face if the cosine of the angle between
-    /// the slave's outward normal and the normal into the master is larger.
-    constexpr double least_cosine = 0.1;
-
     /// Projections of two master faces that share less than this fraction of
     /// the slave face do not lie behind each other.
     constexpr double no_overlap = 1e-6;
@@ -320,7 +316,7 @@ namespace stickslip
       {
         const auto &nodes  = patch.configuration(m).positions;
         const auto  master = projection_plane(patch.face(m), shape, nodes);
-        if (-(master.n * plane.n) <= least_cosine)
+        if (-(master.n * plane.n) <= patch.tolerances.least_cosine)
           continue;
         Candidate<dim> candidate;
         candidate.master    = m;

@@ -37,7 +37,9 @@ namespace stickslip
     prm.add_parameter("Overlap ramp time",
                       ramp_time,
                       "Overlaps of the meshes (a press fit) come into effect "
-                      "linearly until this load time. 0: at once.",
+                      "linearly until this load time. 0: at once. Of a pair "
+                      "that cannot part ('Law'): gaps and overlaps of the "
+                      "start are drawn closed until this time. 0: they stay.",
                       Patterns::Double(0.));
     prm.add_parameter("Largest initial overlap",
                       largest_overlap,
@@ -73,5 +75,13 @@ namespace stickslip
     if (depth > 0. && ramp_time > 0.)
       return depth * std::max(0., 1. - time / ramp_time);
     return 0.;
+  }
+
+
+
+  double
+  InitialGaps::kept_share(const double time) const
+  {
+    return ramp_time > 0. ? std::max(0., 1. - time / ramp_time) : 1.;
   }
 } // namespace stickslip

@@ -123,6 +123,26 @@ namespace stickslip
 
 
 
+    /// What a tied node has along its tangents from the start is no slip.
+    template <int dim>
+    void
+    subtract_tie_offset(const Tensor<1, dim - 1> &offset,
+                        const bool                differentiate,
+                        ContactKinematics<dim>   &kinematics)
+    {
+      for (unsigned int b = 0; b < dim - 1; ++b)
+        {
+          kinematics.d_t -= offset[b] * kinematics.tau[b];
+          if (!differentiate)
+            continue;
+          for (unsigned int i = 0; i < dim; ++i)
+            for (unsigned int c = 0; c < kinematics.D_d_t[i].size(); ++c)
+              kinematics.D_d_t[i][c] -= offset[b] * kinematics.D_tau[b][i][c];
+        }
+    }
+
+
+
     /// Writes column @p k of the rows that the law gives.
     template <int dim>
     void
@@ -208,10 +228,12 @@ namespace stickslip
                              const bool                differentiate,
                              ContactKinematics<dim>   &kinematics)
   {
-    using G = GeneralizedCoordinates<dim>;
+    using G                       = GeneralizedCoordinates<dim>;
+    const bool            is_tied = element.node.tie_offset.has_value();
     RelativePosition<dim> relative;
-    relative.r     = element.average.r;
-    relative.w     = element.average.w;
+    relative.r = element.average.r;
+    // a tied node compares with the start, not with the last step
+    relative.w     = is_tied ? element.average.r : element.average.w;
     kinematics.n   = element.frame.n;
     kinematics.tau = element.frame.tau;
     if (differentiate)
@@ -220,8 +242,8 @@ namespace stickslip
           relative.D_r[i].fill(0.);
           relative.D_w[i].fill(0.);
           kinematics.D_n[i].fill(0.);
-          relative.D_r[i][G::W + i]      = 1.;
-          relative.D_w[i][G::motion + i] = 1.;
+          relative.D_r[i][G::W + i]                           = 1.;
+          relative.D_w[i][is_tied ? G::W + i : G::motion + i] = 1.;
           if (geometry_is_live)
             for (unsigned int k = 0; k < dim; ++k)
               kinematics.D_n[i][G::M + k] =
@@ -234,6 +256,8 @@ namespace stickslip
                           geometry_is_live,
                           differentiate,
                           kinematics);
+    if (is_tied)
+      subtract_tie_offset(*element.node.tie_offset, differentiate, kinematics);
   }
 
 

@@ -51,7 +51,8 @@ namespace stickslip
     has_fallen_through(const ContactPair<dim>  &pair,
                        const ContactPoint<dim> &point)
     {
-      if (point.pairing.paired || !point.initial_pairing.paired)
+      if (point.pairing.paired || !point.initial_pairing.paired ||
+          pair.parameters.is_bilateral())
         return false;
       const Tensor<1, dim> motion =
         pair.slave_position(point).x - point.initial_pairing.master_position;
@@ -108,6 +109,16 @@ namespace stickslip
       const double noticeable =
         noticeable_motion * k *
         pair.slave_faces[point.geometry.slave_face].face.diameter;
+      if (pair.parameters.is_bilateral())
+        {
+          // parted, overlapping or, if tied, slipped: all the same error
+          const double slip = pair.parameters.is_tied() ? d_t.norm() : 0.;
+          raise(found.penetration, d_n);
+          raise(maxima.pressure, state.response.traction.norm());
+          if (k * std::max(std::abs(d_n), slip) > noticeable)
+            raise(maxima.normal_error, k * std::max(std::abs(d_n), slip));
+          return;
+        }
       raise(found.penetration, d_n);
       raise(found.tension, lambda_n);
       raise(maxima.pressure, -lambda_n);

@@ -57,10 +57,9 @@ namespace stickslip
       result.Lambda =
         tangential_vector<dim>(state.multipliers.Lambda, state.kinematics.tau);
       result.accumulated_slip = point.accumulated_slip;
-      result.state            = shown_state(observe(point, state).state,
-                                 pair.parameters.has_friction());
-      result.gap      = point.pairing.paired ? -state.kinematics.d_n : 0.;
-      result.normal   = -1. * state.kinematics.n;
+      result.state  = shown_state(observe(point, state).state, pair.parameters);
+      result.gap    = point.pairing.paired ? -state.kinematics.d_n : 0.;
+      result.normal = -1. * state.kinematics.n;
       result.pressure = 0.;
       if (state.status.closed)
         {
@@ -168,7 +167,9 @@ namespace stickslip
         const auto wheres   = Utilities::MPI::all_gather(communicator, where);
         text << "  pair '" << pair->name << "': " << counts[1]
              << " points open, ";
-        if (pair->parameters.has_friction())
+        if (pair->parameters.is_tied())
+          text << counts[5] << " tied, ";
+        else if (pair->parameters.has_friction())
           text << counts[2] << " stick, " << counts[3] << " slip, ";
         else
           text << counts[4] << " closed, ";

@@ -27,6 +27,8 @@ namespace stickslip
     std::set<types::boundary_id> excluded;    ///< without contact
     std::set<types::boundary_id> slave_body;  ///< all of this body
     std::set<types::boundary_id> master_body; ///< likewise
+    /// First dofs of further nodes without contact, among the relevant ones.
+    std::set<types::global_dof_index> excluded_nodes = {};
   };
 
 
@@ -62,7 +64,7 @@ namespace stickslip
                 const std::function<double(const types::material_id)> &modulus,
                 const MPI_Comm &communicator);
 
-    /// 1 (frictionless) or dim.
+    /// 1 (without tangential traction) or dim.
     unsigned int
     n_multiplier_components() const;
 
@@ -89,7 +91,8 @@ namespace stickslip
                         const unsigned int         pair_index);
 
     /// Fetches the master patch if a node moved by more than half its margin
-    /// since the last time (always with @p force). True if it did. Collective.
+    /// since the last time (always with @p force), unless the pair keeps its
+    /// partners. True if it did. Collective.
     bool
     update_patch(const LA::Vector &u, const bool force);
 
@@ -101,11 +104,14 @@ namespace stickslip
       gap_offsets.apply(time, communicator, points, mortar.get());
     }
 
-    /// See GapOffsets.
+    /// The present configuration is that of the undeformed bodies, with these
+    /// @p depths (GapOffsets). A pair that cannot part keeps its partners.
     void
-    set_depths_at_start(const std::vector<double> &depths)
+    set_start(const std::vector<double> &depths)
     {
       gap_offsets.set_depths_at_start(depths);
+      if (parameters.is_bilateral())
+        mortar->keep_partners(parameters.is_tied());
     }
 
     /// Positions of both sides from ghosted displacements, now and at the
@@ -174,8 +180,9 @@ namespace stickslip
     std::unique_ptr<MasterPatch<dim>>   patch;
     std::unique_ptr<MortarSurface<dim>> mortar; ///< only with segments
     double largest_slave_diameter = 0.;         ///< over ranks
-    double softest_modulus        = 0.;         ///< of both sides, over ranks
-    bool   has_to_hold            = false; ///< a body that nothing else holds
+    /// Of both sides, over ranks; unit of the Lambda of a tied pair [stress].
+    double softest_modulus = 0.;
+    bool   has_to_hold     = false; ///< a body that nothing else holds
 
     /// Positions of the nodes of an owned slave face.
     const std::vector<Tensor<1, dim>> &

@@ -41,6 +41,7 @@ namespace stickslip
 
   private:
     const InitialGaps      initial_gaps;
+    const bool             keeps_gaps; ///< of surfaces that cannot part
     const bool             has_function;
     SpaceTimeFunction<dim> function;
     std::string            path; ///< of the function

@@ -30,6 +30,9 @@ namespace stickslip
     double projection_tolerance;
     double facet_overlap;
     double end_overlap;
+    /// A master face faces a slave face if the cosine of the angle between the
+    /// slave's outward normal and the normal into the master is larger.
+    double least_cosine = 0.1;
   };
 
 

@@ -16,7 +16,8 @@ namespace stickslip
                       const FaceShape<dim> &multiplier_shape);
 
     /// Derivative of the @p average and of the sum of normals of @p frame
-    /// (mortar_node.h).
+    /// (mortar_node.h). Segments that do not move (@p partners_move is false)
+    /// leave that of the normal.
     void
     differentiate(const MortarNode<dim>                 &node,
                   const MortarAverage<dim>              &average,
@@ -25,6 +26,7 @@ namespace stickslip
                   const std::vector<FaceSegments<dim>>  &segments,
                   const std::vector<FaceIntegrals<dim>> &integrals,
                   const MasterPatch<dim>                &patch,
+                  const bool                             partners_move,
                   MortarDerivative<dim>                 &derivative) const;
 
   private:

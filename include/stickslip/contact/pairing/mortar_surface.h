@@ -2,6 +2,7 @@
 #define stickslip_contact_pairing_mortar_surface_h
 
 #include <stickslip/contact/pairing/mortar_derivatives.h>
+#include <stickslip/contact/pairing/mortar_pairing.h>
 #include <stickslip/contact/point/contact_points.h>
 #include <stickslip/contact/surface/hanging_nodes.h>
 #include <stickslip/contact/surface/weighting_functions.h>
@@ -13,16 +14,6 @@
 
 namespace stickslip
 {
-  /// What a frozen geometry keeps of a mortar surface.
-  template <int dim>
-  struct MortarPairing
-  {
-    std::vector<FaceSegments<dim>> segments; ///< per mortar face
-    std::vector<MortarFrame<dim>>  frames;   ///< per mortar node
-  };
-
-
-
   /**
    * The slave surface of a pair with `Quadrature = segments`: the multiplier
    * nodes of this rank, the slave faces around them, and the averages over the
@@ -36,6 +27,8 @@ namespace stickslip
   {
   public:
     using PairingPointer = std::shared_ptr<const MortarPairing<dim>>;
+    using SegmentsPointer =
+      std::shared_ptr<const typename MortarPairing<dim>::Segments>;
 
     /**
      * @p slaves are all slave faces, ghosts included; @p points the contact
@@ -80,6 +73,24 @@ namespace stickslip
     {
       nodes[i].gap_offset = offset;
     }
+
+    /// From now on the segments are the present ones, those of the undeformed
+    /// bodies, and the nodes keep the relative position to their masters that
+    /// they have: along the normal, @p tied also along the tangents. The
+    /// master patch may not be fetched again.
+    void
+    keep_partners(const bool tied);
+
+    bool
+    keeps_partners() const
+    {
+      return kept != nullptr;
+    }
+
+    /// Takes @p share of what keep_partners() has seen as the relative
+    /// position.
+    void
+    set_kept_share(const double share);
 
     /// Positions from ghosted displacements, now and at the start of the step.
     void
@@ -163,6 +174,9 @@ namespace stickslip
     std::vector<MortarNode<dim>>    nodes;
     std::vector<FaceIntegrals<dim>> over_faces; ///< of the present pairing
     std::vector<MortarAverage<dim>> averages;
+    SegmentsPointer                 integrated; ///< what over_faces are of
+    SegmentsPointer                 kept; ///< of a surface that cannot part
+    std::vector<Tensor<1, dim>>     kept_positions; ///< r along n and tangents
     PairingPointer                  current;
     PairingPointer                  remembered;
     PairingPointer                  accepted;
@@ -179,6 +193,9 @@ namespace stickslip
 
     PairingPointer
     empty_pairing() const;
+
+    SegmentsPointer
+    find_all_segments(const MasterPatch<dim> &patch) const;
   };
 } // namespace stickslip
 

@@ -4,11 +4,15 @@
 #include <stickslip/base/choice.h>
 
 #include <stickslip/contact/point/initial_gaps.h>
+#include <stickslip/contact/point/pair_law.h>
+#include <stickslip/contact/point/regularization_parameters.h>
 #include <stickslip/contact/surface/contact_quadrature.h>
 #include <stickslip/contact/surface/weighting_functions.h>
 
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/types.h>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -56,68 +60,6 @@ namespace stickslip
   const Choices<Normals> &
   all_normals();
 
-  /// What the factors of the regularization parameters multiply.
-  enum class RegularizationScale
-  {
-    automatic, ///< stiffness of the contact
-    bound,     ///< upper bounds of the paper (eq. 27)
-    plain      ///< 1
-  };
-
-  const Choices<RegularizationScale> &
-  all_regularization_scales();
-
-  /// The six regularization parameters as numbers, in units of their scale.
-  struct RegularizationFactors
-  {
-    double r_n_status       = 1.;
-    double r_n_augmentation = 1.;
-    double r_n_law          = 1.;
-    double r_t_status       = 1.;
-    double r_t_augmentation = 1.;
-    double r_t_law          = 1.;
-
-    /// Above 2, points that slip against their traction satisfy the discrete
-    /// equations (doc/theory.md, section 3).
-    double
-    status_over_law() const
-    {
-      return r_t_status / r_t_law;
-    }
-  };
-
-
-
-  /**
-   * The six regularization parameters (doc/theory.md, section 3): factors of
-   * the automatic scales or of the paper's bounds, or plain numbers with units.
-   */
-  struct RegularizationParameters
-  {
-    RegularizationScale scale = RegularizationScale::automatic;
-
-    std::string r_n              = "automatic";
-    std::string r_t              = "automatic";
-    std::string r_n_status       = "r_n";
-    std::string r_n_augmentation = "r_n";
-    std::string r_n_law          = "r_n";
-    std::string r_t_status       = "r_t";
-    std::string r_t_augmentation = "r_t";
-    std::string r_t_law          = "r_t";
-
-    void
-    add_parameters(ParameterHandler &prm);
-
-    /// With the meaning that `automatic` has for @p rule.
-    RegularizationFactors
-    factors(const ContactRule rule) const;
-
-    void
-    check(const std::string &path, const ContactRule rule) const;
-  };
-
-
-
   /**
    * One pair of surfaces that may touch: who is slave and master, the law
    * between them and how it is discretized.
@@ -129,6 +71,7 @@ namespace stickslip
     std::string              master_body;
     std::vector<std::string> master_boundary; ///< ids or names
 
+    PairLaw       law                  = PairLaw::contact;
     Friction      friction             = Friction::none;
     double        friction_coefficient = 0.;
     double        tresca_threshold     = 0.;
@@ -151,6 +94,12 @@ namespace stickslip
 
     InitialGaps initial_gaps;
 
+    // of a pair that the user has not named (problem/automatic_pairs.h)
+    bool                         is_automatic = false;
+    std::set<types::boundary_id> slave_ids;          ///< of the triangulation
+    std::set<types::boundary_id> master_ids;         ///< likewise
+    double                       least_cosine = 0.1; ///< PairingTolerances
+
     RegularizationParameters regularization;
 
     void
@@ -159,6 +108,10 @@ namespace stickslip
     void
     check(const std::string &path) const;
 
+    /// What a pair that cannot part has no use for.
+    void
+    check_bilateral(const std::string &path) const;
+
     /// Whether one of the pair's surfaces belongs to @p body.
     bool
     involves(const std::string &body) const
@@ -166,7 +119,26 @@ namespace stickslip
       return slave_body == body || master_body == body;
     }
 
-    /// True if the pair carries tangential traction.
+    bool
+    is_tied() const
+    {
+      return law == PairLaw::tied;
+    }
+
+    /// True if the surfaces cannot part: tied, or no separation.
+    bool
+    is_bilateral() const
+    {
+      return stickslip::is_bilateral(law);
+    }
+
+    /// True if the pair carries tangential traction, by friction or tied.
+    bool
+    has_tangential_traction() const
+    {
+      return friction != Friction::none || is_tied();
+    }
+
     bool
     has_friction() const
     {

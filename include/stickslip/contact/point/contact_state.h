@@ -1,6 +1,8 @@
 #ifndef stickslip_contact_point_contact_state_h
 #define stickslip_contact_point_contact_state_h
 
+#include <stickslip/contact/point/contact_parameters.h>
+
 #include <deal.II/base/tensor.h>
 
 namespace stickslip
@@ -9,30 +11,36 @@ namespace stickslip
 
   /// What a contact point is doing. `unpaired`: no master face in reach.
   /// `closed`: of a pair without friction; only results tell it from `slip`.
+  /// `tied`: of a tied pair; only results tell it from `stick`.
   enum class ContactState
   {
     unpaired = 0,
     open     = 1,
     stick    = 2,
     slip     = 3,
-    closed   = 4
+    closed   = 4,
+    tied     = 5
   };
 
-  constexpr unsigned int n_contact_states = 5;
+  constexpr unsigned int n_contact_states = 6;
 
   /// True if the surfaces touch.
   inline bool
   is_closed(const ContactState state)
   {
     return state == ContactState::stick || state == ContactState::slip ||
-           state == ContactState::closed;
+           state == ContactState::closed || state == ContactState::tied;
   }
 
-  /// @p state as results have it, of a pair with or without friction.
+  /// @p state as results have it, of a pair with these parameters.
   inline ContactState
-  shown_state(const ContactState state, const bool has_friction)
+  shown_state(const ContactState state, const ContactPairParameters &parameters)
   {
-    return is_closed(state) && !has_friction ? ContactState::closed : state;
+    if (!is_closed(state))
+      return state;
+    if (parameters.is_tied())
+      return ContactState::tied;
+    return parameters.has_friction() ? state : ContactState::closed;
   }
 
 

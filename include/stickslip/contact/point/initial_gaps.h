@@ -43,6 +43,11 @@ namespace stickslip
     double
     offset(const double depth, const double time) const;
 
+    /// What is left at @p time of the gaps and overlaps between surfaces that
+    /// cannot part, as a fraction.
+    double
+    kept_share(const double time) const;
+
     /// Whether any offset() is not zero.
     bool
     changes_gaps() const

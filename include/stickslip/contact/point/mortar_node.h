@@ -7,6 +7,7 @@
 #include <deal.II/lac/full_matrix.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace stickslip
@@ -50,6 +51,9 @@ namespace stickslip
     std::vector<double> direction;
     double              area = 0.; ///< integral of psi_j, undeformed
     double gap_offset = 0.; ///< of its own, beside that of the nodes [length]
+    /// Of a tied node: what r has along the tangents of its frame, and is to
+    /// keep [length].
+    std::optional<Tensor<1, dim - 1>> tie_offset;
     /// Onto the symmetry planes that the node lies on: its normal is in them,
     /// which the facets of one half do not know.
     Tensor<2, dim> projection = unit_symmetric_tensor<dim>();

@@ -17,7 +17,8 @@ namespace stickslip
    * s |Lambda - P(Lambda + k/s d_t)| over its largest threshold s, P the
    * projection on the unit disc (|Lambda| > 1, slip in stick, slip against
    * Lambda). What would not move a point by a noticeable fraction of its face
-   * does not count in them.
+   * does not count in them. Surfaces that cannot part count in normal_law, with
+   * the distance that they have parted, overlapped or, if tied, slipped.
    */
   struct ContactViolation
   {

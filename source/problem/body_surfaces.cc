@@ -1,0 +1,251 @@
+#include <stickslip/problem/body_surfaces.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// A surface is flat if its mean normal is this long.
+    constexpr double length_of_flat = 0.9999;
+
+    /// Neighbouring faces whose normals have a smaller cosine meet at an edge.
+    constexpr double cosine_of_edge = 0.5;
+
+
+
+    /// Area times outward normal of a face with straight edges.
+    template <int dim, typename Face>
+    Tensor<1, dim>
+    area_normal_of(const Face &face, const Point<dim> &inside)
+    {
+      Tensor<1, dim> normal;
+      if constexpr (dim == 2)
+        normal = cross_product_2d(face->vertex(1) - face->vertex(0));
+      else if (face->n_vertices() == 3)
+        normal = 0.5 * cross_product_3d(face->vertex(1) - face->vertex(0),
+                                        face->vertex(2) - face->vertex(0));
+      else
+        normal = 0.5 * cross_product_3d(face->vertex(3) - face->vertex(0),
+                                        face->vertex(2) - face->vertex(1));
+      return normal * (face->vertex(0) - inside) < 0. ? -1. * normal : normal;
+    }
+
+
+
+    /// Of the faces of this rank; edges also between those and ghosts.
+    template <int dim>
+    void
+    look_at_faces(
+      const Mesh<dim>                                           &mesh,
+      const std::vector<std::shared_ptr<const ConstitutiveLaw>> &laws,
+      std::vector<BodySurface<dim>>                             &surfaces)
+    {
+      std::map<std::pair<types::boundary_id, unsigned int>,
+               std::vector<Tensor<1, dim>>>
+        normals_at;
+      for (const auto &cell : mesh.triangulation->active_cell_iterators())
+        if (!cell->is_artificial())
+          for (const auto &face : cell->face_iterators())
+            {
+              if (!face->at_boundary())
+                continue;
+              BodySurface<dim>    &surface = surfaces[face->boundary_id()];
+              const Tensor<1, dim> normal =
+                area_normal_of<dim>(face, cell->center());
+              for (unsigned int v = 0; v < face->n_vertices(); ++v)
+                {
+                  auto &others =
+                    normals_at[{surface.id, face->vertex_index(v)}];
+                  for (const auto &other : others)
+                    surface.has_edges =
+                      surface.has_edges || normal * other < cosine_of_edge *
+                                                              normal.norm() *
+                                                              other.norm();
+                  others.push_back(normal);
+                }
+              if (!cell->is_locally_owned())
+                continue;
+              surface.n_faces += 1.;
+              surface.area += normal.norm();
+              surface.area_normal += normal;
+              surface.sum_of_face_sizes +=
+                std::pow(normal.norm(), 1. / (dim - 1));
+              const auto &law = laws[cell->material_id()];
+              if (law)
+                surface.modulus =
+                  std::min(surface.modulus, law->longitudinal_modulus());
+              for (unsigned int v = 0; v < face->n_vertices(); ++v)
+                for (unsigned int c = 0; c < dim; ++c)
+                  {
+                    surface.low[c] =
+                      std::min(surface.low[c], face->vertex(v)[c]);
+                    surface.high[c] =
+                      std::max(surface.high[c], face->vertex(v)[c]);
+                  }
+            }
+    }
+
+
+
+    /// Three reductions, however many surfaces there are.
+    template <int dim>
+    void
+    take_over_ranks(std::vector<BodySurface<dim>> &surfaces,
+                    const MPI_Comm                &communicator)
+    {
+      std::vector<double *> sums, minima, maxima;
+      std::vector<double>   edges;
+      for (auto &surface : surfaces)
+        {
+          sums.insert(sums.end(),
+                      {&surface.n_faces,
+                       &surface.area,
+                       &surface.sum_of_face_sizes});
+          minima.push_back(&surface.modulus);
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              sums.push_back(&surface.area_normal[c]);
+              minima.push_back(&surface.low[c]);
+              maxima.push_back(&surface.high[c]);
+            }
+          edges.push_back(surface.has_edges ? 1. : 0.);
+        }
+      const auto reduce = [](const std::vector<double *> &entries,
+                             const auto                  &reduction) {
+        std::vector<double> values;
+        for (const double *entry : entries)
+          values.push_back(*entry);
+        reduction(values);
+        for (unsigned int i = 0; i < entries.size(); ++i)
+          *entries[i] = values[i];
+      };
+      reduce(sums, [&](auto &v) { Utilities::MPI::sum(v, communicator, v); });
+      reduce(minima, [&](auto &v) { Utilities::MPI::min(v, communicator, v); });
+      reduce(maxima, [&](auto &v) { Utilities::MPI::max(v, communicator, v); });
+      Utilities::MPI::max(edges, communicator, edges);
+      for (unsigned int i = 0; i < edges.size(); ++i)
+        surfaces[i].has_edges = edges[i] > 0.;
+    }
+
+
+
+    /// True if all displacements are prescribed, everywhere on the boundary.
+    bool
+    prescribes_all(const BoundaryConditionParameters &condition)
+    {
+      if (!condition.where.empty())
+        return false;
+      return condition.type == BoundaryConditionType::rigid_motion ||
+             (condition.type == BoundaryConditionType::displacement &&
+              condition.value.find("free") == std::string::npos);
+    }
+
+
+
+    template <int dim>
+    void
+    look_at_conditions(const Bodies                                 &bodies,
+                       const NamedList<BoundaryConditionParameters> &conditions,
+                       std::vector<BodySurface<dim>>                &surfaces)
+    {
+      for (auto &surface : surfaces)
+        surface.is_prescribed = bodies.bodies[surface.body].is_rigid;
+      for (const auto &[name, condition] : conditions)
+        {
+          const std::string  path = "Boundary conditions/" + name;
+          const unsigned int body =
+            bodies.index_of(condition.body, path + "/Body");
+          const bool is_cut =
+            condition.type == BoundaryConditionType::symmetry ||
+            condition.type == BoundaryConditionType::periodic;
+          const bool is_prescribed = prescribes_all(condition);
+          if (!is_cut && !is_prescribed)
+            continue;
+          std::set<types::boundary_id> ids = bodies.all_boundary_ids(body);
+          if (!condition.boundary.empty())
+            ids = bodies.global_boundary_ids(condition.body,
+                                             condition.boundary,
+                                             path + "/Boundary");
+          if (!condition.second_boundary.empty())
+            ids.merge(bodies.global_boundary_ids(condition.body,
+                                                 condition.second_boundary,
+                                                 path + "/Second boundary"));
+          for (const auto id : ids)
+            if (is_cut)
+              surfaces[id].is_free = false;
+            else
+              surfaces[id].is_prescribed = true;
+        }
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  bool
+  BodySurface<dim>::is_flat() const
+  {
+    return area_normal.norm() > length_of_flat * area;
+  }
+
+
+
+  template <int dim>
+  double
+  BodySurface<dim>::distance(const BodySurface &other) const
+  {
+    Tensor<1, dim> way;
+    for (unsigned int c = 0; c < dim; ++c)
+      way[c] = std::max({0., low[c] - other.high[c], other.low[c] - high[c]});
+    return way.norm();
+  }
+
+
+
+  template <int dim>
+  std::vector<BodySurface<dim>>
+  body_surfaces(const Mesh<dim>                              &mesh,
+                const NamedList<BoundaryConditionParameters> &conditions,
+                const std::vector<std::shared_ptr<const ConstitutiveLaw>> &laws)
+  {
+    std::vector<BodySurface<dim>> surfaces;
+    for (unsigned int b = 0; b < mesh.bodies.n_bodies(); ++b)
+      for (const auto id : mesh.bodies.all_boundary_ids(b))
+        {
+          AssertDimension(id, surfaces.size());
+          surfaces.emplace_back();
+          BodySurface<dim> &surface = surfaces.back();
+          surface.id                = id;
+          surface.body              = b;
+          surface.modulus           = std::numeric_limits<double>::infinity();
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              surface.low[c]  = std::numeric_limits<double>::max();
+              surface.high[c] = std::numeric_limits<double>::lowest();
+            }
+        }
+    look_at_faces(mesh, laws, surfaces);
+    take_over_ranks(surfaces, mesh.triangulation->get_communicator());
+    look_at_conditions(mesh.bodies, conditions, surfaces);
+    return surfaces;
+  }
+
+#define INSTANTIATE(dim)                                \
+  template struct BodySurface<dim>;                     \
+  template std::vector<BodySurface<dim>> body_surfaces( \
+    const Mesh<dim> &,                                  \
+    const NamedList<BoundaryConditionParameters> &,     \
+    const std::vector<std::shared_ptr<const ConstitutiveLaw>> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace stickslip
