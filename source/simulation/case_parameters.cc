@@ -303,7 +303,11 @@ namespace stickslip
     throw UserError(
       path + "/Contact pair: there is no contact pair '" + name + "'." +
       did_you_mean(name, output.pair_names) + " Known: " +
-      (contact_pairs.empty() ? "none" : quoted_list(output.pair_names)) + ".");
+      (contact_pairs.empty() ? "none" : quoted_list(output.pair_names)) + "." +
+      (automatic_contact.active ? " Automatic pairs cannot be named here: give "
+                                  "the two bodies a pair of "
+                                  "their own."
+                                : ""));
   }
 
 
