@@ -98,7 +98,7 @@ namespace stickslip
     for_each_point(*this,
                    [this](ContactPair<dim> &pair, ContactPoint<dim> &point) {
                      const auto &state = this->evaluate(pair, point);
-                     if (state.status.closed)
+                     if (state.status.closed && !pair.parameters.is_tied())
                        point.accumulated_slip += state.kinematics.d_t;
                    });
   }

@@ -43,7 +43,7 @@ namespace stickslip
     parameters.is_automatic = true;
     // The side of a block whose corner has come into a soft surface must not be
     // pushed away by the slope in front of it.
-    parameters.least_cosine = 0.7;
+    parameters.least_cosine = 0.5;
     if (friction_coefficient > 0.)
       {
         parameters.friction             = Friction::Coulomb;

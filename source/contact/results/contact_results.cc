@@ -67,7 +67,8 @@ namespace stickslip
           result.pressure = state.response.traction * state.kinematics.n;
           result.tangential_traction = -1. * state.response.traction +
                                        result.pressure * state.kinematics.n;
-          result.slip = state.kinematics.d_t;
+          if (!pair.parameters.is_tied()) // what is left is roundoff
+            result.slip = state.kinematics.d_t;
         }
       return result;
     }
