@@ -184,7 +184,7 @@ namespace stickslip
     mesh.bytes_per_cell    = matrix_bytes_per_cell(dimension, degree);
     mesh.bytes_per_simplex = matrix_bytes_per_simplex(dimension, degree);
     check();
-    request_ends_of_intervals();
+    load_stepping.request(ends_of_intervals(boundary_conditions));
     mesh.refinements          = refinement_requests();
     const DeclaredSection all = declared_parameters(prm);
     if (!materials.empty())
@@ -340,23 +340,6 @@ namespace stickslip
     return stickslip::make_amplitudes(amplitudes,
                                       mesh.input_directory,
                                       communicator);
-  }
-
-
-
-  void
-  CaseParameters::request_ends_of_intervals()
-  {
-    std::vector<double> &times = load_stepping.requested_times;
-    for (const auto &[name, condition] : boundary_conditions)
-      {
-        const ActiveInterval interval =
-          condition.active_interval("Boundary conditions/" + name);
-        for (const double end : {interval.from, interval.until})
-          if (end > 0. && end < load_stepping.end_time &&
-              std::find(times.begin(), times.end(), end) == times.end())
-            times.push_back(end);
-      }
   }
 
 

@@ -236,8 +236,7 @@ namespace stickslip
     if (format.find_first_not_of("0123456789") != std::string::npos)
       return ""; // damaged, as its checksum will show
     return "it was written by another version of the program (its format is " +
-           format +
-           ", this version reads format " + checkpoint_format + ")";
+           format + ", this version reads format " + checkpoint_format + ")";
   }
 
 

@@ -5,12 +5,11 @@
 #include <stickslip/base/user_error.h>
 
 #include <stickslip/contact/results/contact_results.h>
-#include <stickslip/solid/volumetric_locking.h>
-
 #include <stickslip/simulation/checkpoint.h>
 #include <stickslip/simulation/final_results.h>
 #include <stickslip/simulation/run_files.h>
 #include <stickslip/simulation/step_statistics.h>
+#include <stickslip/solid/volumetric_locking.h>
 
 #include <iostream>
 #include <sstream>
@@ -259,7 +258,7 @@ namespace stickslip
       {
         state = error.what();
       }
-    const std::string text = report.final_text(last, steps().time(), state);
+    const auto text = report.final_text(last, steps().time(), state);
     log.note("stopped: " + text);
     throw NoConvergence(text, failure);
   }
@@ -332,8 +331,8 @@ namespace stickslip
   ParameterValues
   Simulation<dim>::load_state(const std::string &checkpoint)
   {
-    ParameterValues         physics;
-    const CheckpointScalars scalars =
+    ParameterValues physics;
+    const auto      scalars =
       load_checkpoint(checkpoint, problem, accepted, physics);
     work = scalars.work;
     step_control.resume(scalars.control);

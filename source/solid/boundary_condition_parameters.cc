@@ -243,6 +243,25 @@ namespace stickslip
 
 
 
+  std::vector<double>
+  ends_of_intervals(const NamedList<BoundaryConditionParameters> &conditions)
+  {
+    const ActiveInterval always;
+    std::vector<double>  times;
+    for (const auto &[name, condition] : conditions)
+      {
+        const ActiveInterval interval =
+          condition.active_interval("Boundary conditions/" + name);
+        if (interval.from != always.from)
+          times.push_back(interval.from);
+        if (interval.until != always.until)
+          times.push_back(interval.until);
+      }
+    return times;
+  }
+
+
+
   template <int dim>
   std::pair<Tensor<1, 3>, Point<dim>>
   axis_of(const BoundaryConditionParameters &parameters,

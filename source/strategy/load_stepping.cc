@@ -146,6 +146,18 @@ namespace stickslip
 
 
 
+  void
+  LoadSteppingParameters::request(const std::vector<double> &times)
+  {
+    for (const double time : times)
+      if (time > 0. && time < end_time &&
+          std::find(requested_times.begin(), requested_times.end(), time) ==
+            requested_times.end())
+        requested_times.push_back(time);
+  }
+
+
+
   LoadStepping::LoadStepping(const LoadSteppingParameters &given)
     : parameters([&given] {
       LoadSteppingParameters p = given;

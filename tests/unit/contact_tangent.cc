@@ -33,8 +33,9 @@ namespace
     std::string  weighting     = "standard"; // of segments
     unsigned int order         = 0;          // of segments
     bool         simplices     = false;
-    bool         hanging_slave = false; // one corner of the slave surface
+    bool         hanging_slave = false;     // one corner of the slave surface
     std::string  law           = "contact"; // Contact/<pair>/Law
+    bool         corners       = false;     // two sides of the body are slaves
   };
 
 
@@ -115,8 +116,10 @@ namespace
   make_pair(const Case &c)
   {
     ContactPairParameters pair;
-    pair.slave_body           = "upper";
-    pair.slave_boundary       = {"2"};
+    pair.slave_body     = "upper";
+    pair.slave_boundary = {"2"};
+    if (c.corners)
+      pair.slave_boundary = {"0", "1", "2"};
     pair.master_body          = "lower";
     pair.master_boundary      = {"3"};
     pair.law                  = value_of(c.law, all_pair_laws());
@@ -522,6 +525,25 @@ namespace
 
 
 
+  /// Slave surfaces with edges of 90 degrees, where the normal is the master's.
+  template <int dim>
+  void
+  test_corners()
+  {
+    for (const unsigned int degree : {1, 2})
+      {
+        Case c{"segments around corners", degree, "smoothed", "segments"};
+        c.space     = degree == 2 ? "vertices" : "displacement trace";
+        c.weighting = "dual";
+        c.order     = dim == 2 ? 8 : 7;
+        c.corners   = true;
+        if (dim == 2 || degree == 1)
+          test_case<dim>(c);
+      }
+  }
+
+
+
   /// Pairs that cannot part.
   template <int dim>
   void
@@ -589,5 +611,7 @@ main(int argc, char **argv)
   test_simplices<2>();
   test_simplices<3>();
   test_bilateral<2>();
+  test_corners<2>();
+  test_corners<3>();
   test_bilateral<3>();
 }

@@ -112,10 +112,6 @@ namespace stickslip
     void
     check() const;
 
-    /// Load steps end where a condition begins or ceases to act.
-    void
-    request_ends_of_intervals();
-
     void
     check_pairs_have_law_per_multiplier() const;
   };

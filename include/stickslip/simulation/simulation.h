@@ -63,9 +63,9 @@ namespace stickslip
     std::vector<std::string>
     description_of_start()
     {
-      std::vector<std::string> lines   = automatic.reasons;
-      const auto               levels  = describe_levels(mesh.cells_by_level);
-      const auto               contact = describe(problem.contact(), problem.start());
+      std::vector<std::string> lines  = automatic.reasons;
+      const auto               levels = describe_levels(mesh.cells_by_level);
+      const auto contact = describe(problem.contact(), problem.start());
       lines.insert(lines.end(), levels.begin(), levels.end());
       lines.insert(lines.end(), contact.begin(), contact.end());
       return lines;

@@ -2,6 +2,7 @@
 #define stickslip_solid_boundary_condition_parameters_h
 
 #include <stickslip/base/choice.h>
+#include <stickslip/base/parameter_file.h>
 
 #include <stickslip/solid/active_interval.h>
 
@@ -88,6 +89,10 @@ namespace stickslip
     ActiveInterval
     active_interval(const std::string &path) const;
   };
+
+  /// The load times at which one of the conditions begins or ceases to act.
+  std::vector<double>
+  ends_of_intervals(const NamedList<BoundaryConditionParameters> &conditions);
 
   /// Axis (of unit length; z in 2D) and centre of a rotation or of cylindrical
   /// components. Throws UserError naming the parameter below @p path.

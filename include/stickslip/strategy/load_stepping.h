@@ -45,6 +45,10 @@ namespace stickslip
 
     void
     check(const std::string &path) const;
+
+    /// Steps have to end at those of @p times that lie between 0 and the end.
+    void
+    request(const std::vector<double> &times);
   };
 
 

@@ -125,8 +125,7 @@ namespace stickslip
                                     mapping,
                                     dof_handler,
                                     communicator);
-    excluded.insert(surfaces.excluded_nodes.begin(),
-                    surfaces.excluded_nodes.end());
+    excluded.merge(std::set(surfaces.excluded_nodes));
     hanging =
       HangingNodes::find(dof_handler, multiplier_shape.degree(), slaves);
     const Quadrature<dim - 1> quadrature =

@@ -68,7 +68,7 @@ namespace stickslip
                                  const MasterPatch<dim> &patch) const
   {
     MortarFrame<dim> frame;
-    if (!node.corner.is_corner ||
+    if (!node.is_corner ||
         !find_corner_normal(
           displacement_shape, node, faces, segments, patch, frame))
       average_normals(node, faces, frame);

@@ -195,7 +195,7 @@ namespace stickslip
                                               supports);
         // the surface goes on behind the plane
         if (node.projection.norm() < std::sqrt(dim - 0.5))
-          node.corner = {};
+          node.is_corner = false;
       }
   }
 
@@ -302,7 +302,7 @@ namespace stickslip
     pairing->segments  = kept ? kept : find_all_segments(patch);
     for (const auto &node : nodes)
       pairing->frames.push_back(
-        integrals.frame_at(node, faces, pairing->segments, patch));
+        integrals.frame_at(node, faces, *pairing->segments, patch));
     return pairing;
   }
 

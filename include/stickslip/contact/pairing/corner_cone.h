@@ -30,8 +30,7 @@ namespace stickslip
   };
 
   /// What spans the cone of normals of a corner in the present configuration:
-  /// the normals of the faces, and at a border the direction in which the
-  /// surface ends.
+  /// the normals of the faces around it.
   template <int dim>
   std::vector<ConeGenerator<dim>>
   cone_of(const FaceShape<dim>               &shape,

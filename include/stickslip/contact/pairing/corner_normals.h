@@ -13,8 +13,8 @@ namespace stickslip
    * own: on a smooth partner it is pressed along the partner's normal, whatever
    * its own faces do. So M is what of the master's normal opposite the node,
    * turned round, is in the cone of normals: all non-negative combinations of
-   * the faces' normals and, at a border, of the directions in which the surface
-   * ends. On a surface that lies flat on the master this is the face's normal.
+   * the faces' normals. On a face that lies flat on the master this is the
+   * face's normal.
    *
    * Sets n, length and the parts of the frame; false, and nothing, if the node
    * has no partner or the cone does not face it.

@@ -30,20 +30,6 @@ namespace stickslip
       std::vector<unsigned int> stencil; ///< number in the stencil, per node
     };
 
-    /// Where the surface ends at the node: away from the faces around it.
-    struct Border
-    {
-      unsigned int around;    ///< number of the face around the node
-      unsigned int neighbour; ///< displacement node on the border (3D)
-    };
-
-    /// What find_corners() has found of a node on an edge of the surface.
-    struct Corner
-    {
-      bool                is_corner = false;
-      std::vector<Border> borders;
-    };
-
     std::vector<Around>                  faces;
     std::vector<types::global_dof_index> dofs; ///< [stencil node * dim + c]
     /// Derivative along the direction E that carries the tangent basis (3D),
@@ -57,7 +43,7 @@ namespace stickslip
     /// Onto the symmetry planes that the node lies on: its normal is in them,
     /// which the facets of one half do not know.
     Tensor<2, dim> projection = unit_symmetric_tensor<dim>();
-    Corner         corner;
+    bool           is_corner  = false; ///< find_corners()
 
     unsigned int
     n_stencil_nodes() const
