@@ -43,7 +43,7 @@ namespace stickslip
 
 
 
-    /// Around the @p points of all ranks.
+    /// Around the @p points of all ranks; the box of a point if there are none.
     template <int dim>
     BoundingBox<dim>
     box_around(const std::vector<Point<dim>> &points,
@@ -62,6 +62,8 @@ namespace stickslip
           low[c]  = Utilities::MPI::min(low[c], communicator);
           high[c] = Utilities::MPI::max(high[c], communicator);
         }
+      if (low[0] > high[0])
+        return BoundingBox<dim>();
       return BoundingBox<dim>({low, high});
     }
 
