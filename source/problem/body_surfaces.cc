@@ -138,11 +138,13 @@ namespace stickslip
 
 
 
-    /// True if all displacements are prescribed, everywhere on the boundary.
+    /// True if all displacements are prescribed, everywhere on the boundary and
+    /// all the time.
     bool
     prescribes_all(const BoundaryConditionParameters &condition)
     {
-      if (!condition.where.empty())
+      if (!condition.where.empty() || !condition.active_from.empty() ||
+          !condition.active_until.empty())
         return false;
       return condition.type == BoundaryConditionType::rigid_motion ||
              (condition.type == BoundaryConditionType::displacement &&

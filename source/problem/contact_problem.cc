@@ -58,7 +58,7 @@ namespace stickslip
                ? std::numeric_limits<double>::infinity()
                : solid_assembler->longitudinal_modulus(material);
     };
-    const Constraints supports = supports_at_start();
+    const Constraints supports = lasting_supports();
     contact_assembler          = std::make_unique<ContactAssembler<dim>>(
       make_contact_pairs(
         contact_pairs, mesh.bodies, dofs, supports, modulus_of, communicator),
@@ -113,15 +113,15 @@ namespace stickslip
 
   template <int dim>
   Constraints
-  ContactProblem<dim>::supports_at_start() const
+  ContactProblem<dim>::lasting_supports() const
   {
     Constraints supports(dofs.relevant);
-    boundary_conditions.add_prescribed_displacements(dofs.mapping,
-                                                     dofs.dof_handler,
-                                                     time,
-                                                     LA::Vector(dofs.owned,
-                                                                communicator),
-                                                     supports);
+    boundary_conditions.permanent().add_prescribed_displacements(
+      dofs.mapping,
+      dofs.dof_handler,
+      time,
+      LA::Vector(dofs.owned, communicator),
+      supports);
     supports.close();
     return supports;
   }

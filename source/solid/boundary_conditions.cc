@@ -9,6 +9,7 @@
 #include <deal.II/dofs/dof_tools.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 namespace stickslip
@@ -285,16 +286,33 @@ namespace stickslip
 
 
   template <int dim>
+  BoundaryConditions<dim>
+  BoundaryConditions<dim>::permanent() const
+  {
+    BoundaryConditions<dim> result(*this);
+    result.displacements.clear();
+    std::copy_if(displacements.begin(),
+                 displacements.end(),
+                 std::back_inserter(result.displacements),
+                 [](const auto &condition) {
+                   return condition.active.is_always();
+                 });
+    return result;
+  }
+
+
+
+  template <int dim>
   bool
   BoundaryConditions<dim>::hold_the_same(const double time,
                                          const double other_time) const
   {
-    const auto is_same = [=](const auto &condition) {
-      return condition.active.contains(time) ==
-             condition.active.contains(other_time);
-    };
-    return std::all_of(displacements.begin(), displacements.end(), is_same) &&
-           std::all_of(all_loads.begin(), all_loads.end(), is_same);
+    return std::all_of(displacements.begin(),
+                       displacements.end(),
+                       [=](const auto &condition) {
+                         return condition.active.contains(time) ==
+                                condition.active.contains(other_time);
+                       });
   }
 
 

@@ -294,9 +294,9 @@ namespace stickslip
     LA::BlockSparseMatrix system_matrix;
     LA::BlockVector       rhs;
 
-    /// What prescribes displacements where nothing is deformed.
+    /// What prescribes displacements where nothing is deformed, all the time.
     Constraints
-    supports_at_start() const;
+    lasting_supports() const;
 
     void
     update_ghost_layout();

@@ -13,6 +13,13 @@ namespace stickslip
     double from  = -std::numeric_limits<double>::max();
     double until = std::numeric_limits<double>::max();
 
+    bool
+    is_always() const
+    {
+      const ActiveInterval always;
+      return from == always.from && until == always.until;
+    }
+
     /// Sums of step sizes reach an end up to roundoff.
     bool
     contains(const double time) const

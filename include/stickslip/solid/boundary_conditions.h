@@ -54,8 +54,7 @@ namespace stickslip
     /**
      * Adds the lines of the increment, u_i = g_i(time) - u_i(current), for all
      * prescribed displacements that act at this time; bodies marked rigid that
-     * no rigid motion names
-     * are held in place. @p u holds the current displacements and needs the
+     * no rigid motion names are held in place. @p u holds the current displacements and needs the
      * locally owned entries. Degrees of freedom that are constrained already
      * (hanging nodes, periodicity) keep their lines. All lines of
      * constraints.get_local_lines() are filled, so ranks agree, also on
@@ -78,8 +77,11 @@ namespace stickslip
     add_periodicity(const DoFHandler<dim> &dof_handler,
                     Constraints           &constraints) const;
 
-    /// Whether the displacements, and the springs, of the two times are held
-    /// by the same conditions.
+    /// Without the prescribed displacements that begin or end.
+    BoundaryConditions
+    permanent() const;
+
+    /// Whether the same conditions prescribe displacements at both times.
     bool
     hold_the_same(const double time, const double other_time) const;
 

@@ -141,13 +141,11 @@ namespace stickslip
       {
         const auto            &around = node.faces[a];
         const MortarFace<dim> &slave  = faces[around.face];
-        cone.push_back(
-          {unit_normal_at(
-             shape, slave.face, around.displacement, slave.positions),
-           a,
-           outward_normal_derivative(slave.face,
-                                     slave.positions,
-                                     shape.at_node(around.displacement))});
+        cone.push_back({unit_normal_at(shape,
+                                       slave.face,
+                                       around.displacement,
+                                       slave.positions),
+                        a});
       }
     return cone;
   }
@@ -182,7 +180,9 @@ namespace stickslip
   template std::vector<ConeGenerator<dim>> cone_of(                                           \
     const FaceShape<dim> &,                                                                   \
     const MortarNode<dim> &,                                                                  \
-    const std::vector<MortarFace<dim>> &);
+    const std::vector<MortarFace<dim>> &);                                                    \
+  template NearestInCone<dim> nearest_in_cone(                                                \
+    const std::vector<ConeGenerator<dim>> &, const Tensor<1, dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

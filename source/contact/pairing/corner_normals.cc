@@ -301,13 +301,16 @@ namespace stickslip
         Tensor<1, dim>            dual;
         for (unsigned int j = 0; j < n; ++j)
           dual += inverse(j, i) * corner.nearest.side[j].direction;
-        const auto &stencil = node.faces[generator.around].stencil;
-        for (unsigned int k = 0; k < stencil.size(); ++k)
-          D_normal[stencil[k]] += corner.nearest.shares[i] * (identity - P) *
-                                    generator.derivative[k] +
-                                  outer_product(dual,
-                                                (corner.t - corner.nearest.M) *
-                                                  generator.derivative[k]);
+        const auto            &around = node.faces[generator.around];
+        const MortarFace<dim> &slave  = faces[around.face];
+        const auto             D_g =
+          outward_normal_derivative(slave.face,
+                                    slave.positions,
+                                    shape.at_node(around.displacement));
+        for (unsigned int k = 0; k < around.stencil.size(); ++k)
+          D_normal[around.stencil[k]] +=
+            corner.nearest.shares[i] * (identity - P) * D_g[k] +
+            outer_product(dual, (corner.t - corner.nearest.M) * D_g[k]);
       }
   }
 

@@ -9,9 +9,9 @@
 namespace stickslip
 {
   /**
-   * Finds the nodes at which the slave surface has an edge or ends: two of
-   * their faces differ by more than `sharpest_smooth_kink`, or the surface has
-   * a border there. Sets MortarNode::corner.
+   * Finds the nodes at which the slave surface has an edge: the undeformed
+   * normals of two of their faces differ by more than `sharpest_smooth_kink`.
+   * Sets MortarNode::is_corner. Ends of the surface are no corners.
    */
   template <int dim>
   void
@@ -19,14 +19,12 @@ namespace stickslip
                const std::vector<MortarFace<dim>> &faces,
                std::vector<MortarNode<dim>>       &nodes);
 
-  /// A unit vector that belongs to a face around a node, with its derivative
-  /// per node of the face.
+  /// The unit normal of a face around a node, at the node.
   template <int dim>
   struct ConeGenerator
   {
-    Tensor<1, dim>              direction;
-    unsigned int                around = 0; ///< number of the face
-    std::vector<Tensor<2, dim>> derivative;
+    Tensor<1, dim> direction;
+    unsigned int   around = 0; ///< number of the face
   };
 
   /// What spans the cone of normals of a corner in the present configuration:
