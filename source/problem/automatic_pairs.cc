@@ -179,48 +179,30 @@ namespace stickslip
 
 
 
-    /// Adds the pairs of a slave and a master.
+    /// The pair of a slave and a master.
     template <int dim>
-    void
-    add_pairs(const Bodies               &bodies,
-              const AutomaticContact     &parameters,
-              const unsigned int          slave,
-              const SurfacePointers<dim> &slave_surfaces,
-              const unsigned int          master,
-              const SurfacePointers<dim> &master_surfaces,
-              const std::string          &reason,
-              AutomaticPairs             &result)
+    ContactPairParameters
+    pair_of(const Bodies               &bodies,
+            const AutomaticContact     &parameters,
+            const SurfacePointers<dim> &slave_surfaces,
+            const SurfacePointers<dim> &master_surfaces)
     {
-      const Body        &slave_body  = bodies.bodies[slave];
-      const Body        &master_body = bodies.bodies[master];
-      std::string        names;
-      std::ostringstream sharp;
+      ContactPairParameters pair  = parameters.pair();
+      const Body           &slave = bodies.bodies[slave_surfaces.front()->body];
+      pair.slave_body             = slave.name;
+      pair.master_body = bodies.bodies[master_surfaces.front()->body].name;
       for (const auto *surface : slave_surfaces)
         {
-          const auto        local = bodies.local_boundary_id(surface->id);
-          const auto        known = slave_body.boundaries.names({local});
-          const std::string label =
-            known.empty() ? std::to_string(slave_body.boundaries.number(local))
-                          : known.front();
-          const std::string name =
-            as_word(slave_body.name + "_" + label + "_on_" + master_body.name);
-          ContactPairParameters pair = parameters.pair();
-          pair.slave_body            = slave_body.name;
-          pair.master_body           = master_body.name;
-          pair.slave_boundary        = {label};
-          pair.slave_ids             = {surface->id};
-          for (const auto *other : master_surfaces)
-            pair.master_ids.insert(other->id);
-          result.pairs.emplace_back(name, pair);
-          names += (names.empty() ? "'" : ", '") + name + "'";
-          if (surface->has_edges)
-            sharp << "; boundary " << label
-                  << " has sharp edges, at which its normals are averages: "
-                     "give its sides ids of their own";
+          const auto local = bodies.local_boundary_id(surface->id);
+          const auto known = slave.boundaries.names({local});
+          pair.slave_boundary.push_back(
+            known.empty() ? std::to_string(slave.boundaries.number(local))
+                          : known.front());
+          pair.slave_ids.insert(surface->id);
         }
-      result.reasons.push_back("automatic contact: '" + slave_body.name +
-                               "' is slave of '" + master_body.name + "', " +
-                               reason + sharp.str() + "; pairs " + names);
+      for (const auto *surface : master_surfaces)
+        pair.master_ids.insert(surface->id);
+      return pair;
     }
   } // namespace
 
@@ -264,18 +246,18 @@ namespace stickslip
                      "all of the other one is rigid or prescribed"};
           else
             roles = choose_roles<dim>(slave_a, slave_b);
-          const unsigned int slave  = roles.first_is_slave ? a : b;
           const unsigned int master = roles.first_is_slave ? b : a;
           const auto         on     = of_body(master, false);
-          if (!on.empty())
-            add_pairs<dim>(bodies,
-                           parameters,
-                           slave,
-                           roles.first_is_slave ? slave_a : slave_b,
-                           master,
-                           on,
-                           roles.reason,
-                           result);
+          if (on.empty())
+            continue;
+          const auto pair = pair_of<dim>(
+            bodies, parameters, roles.first_is_slave ? slave_a : slave_b, on);
+          const std::string name =
+            as_word(pair.slave_body + "_on_" + pair.master_body);
+          result.pairs.emplace_back(name, pair);
+          result.reasons.push_back(
+            "automatic contact: '" + pair.slave_body + "' is slave of '" +
+            pair.master_body + "', " + roles.reason + "; pair '" + name + "'");
         }
     for (unsigned int p = 0; p < result.pairs.size(); ++p)
       for (const auto &other : explicit_pairs)

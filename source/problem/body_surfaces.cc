@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <set>
 #include <string>
-#include <utility>
 
 namespace stickslip
 {
@@ -16,11 +14,6 @@ namespace stickslip
   {
     /// A surface is flat if its mean normal is this long.
     constexpr double length_of_flat = 0.9999;
-
-    /// Neighbouring faces whose normals have a smaller cosine meet at an edge.
-    constexpr double cosine_of_edge = 0.5;
-
-
 
     /// Area times outward normal of a face with straight edges.
     template <int dim, typename Face>
@@ -41,7 +34,7 @@ namespace stickslip
 
 
 
-    /// Of the faces of this rank; edges also between those and ghosts.
+    /// Of the faces of this rank.
     template <int dim>
     void
     look_at_faces(
@@ -49,11 +42,8 @@ namespace stickslip
       const std::vector<std::shared_ptr<const ConstitutiveLaw>> &laws,
       std::vector<BodySurface<dim>>                             &surfaces)
     {
-      std::map<std::pair<types::boundary_id, unsigned int>,
-               std::vector<Tensor<1, dim>>>
-        normals_at;
       for (const auto &cell : mesh.triangulation->active_cell_iterators())
-        if (!cell->is_artificial())
+        if (cell->is_locally_owned())
           for (const auto &face : cell->face_iterators())
             {
               if (!face->at_boundary())
@@ -61,19 +51,6 @@ namespace stickslip
               BodySurface<dim>    &surface = surfaces[face->boundary_id()];
               const Tensor<1, dim> normal =
                 area_normal_of<dim>(face, cell->center());
-              for (unsigned int v = 0; v < face->n_vertices(); ++v)
-                {
-                  auto &others =
-                    normals_at[{surface.id, face->vertex_index(v)}];
-                  for (const auto &other : others)
-                    surface.has_edges =
-                      surface.has_edges || normal * other < cosine_of_edge *
-                                                              normal.norm() *
-                                                              other.norm();
-                  others.push_back(normal);
-                }
-              if (!cell->is_locally_owned())
-                continue;
               surface.n_faces += 1.;
               surface.area += normal.norm();
               surface.area_normal += normal;
@@ -103,7 +80,6 @@ namespace stickslip
                     const MPI_Comm                &communicator)
     {
       std::vector<double *> sums, minima, maxima;
-      std::vector<double>   edges;
       for (auto &surface : surfaces)
         {
           sums.insert(sums.end(),
@@ -117,7 +93,6 @@ namespace stickslip
               minima.push_back(&surface.low[c]);
               maxima.push_back(&surface.high[c]);
             }
-          edges.push_back(surface.has_edges ? 1. : 0.);
         }
       const auto reduce = [](const std::vector<double *> &entries,
                              const auto                  &reduction) {
@@ -131,9 +106,6 @@ namespace stickslip
       reduce(sums, [&](auto &v) { Utilities::MPI::sum(v, communicator, v); });
       reduce(minima, [&](auto &v) { Utilities::MPI::min(v, communicator, v); });
       reduce(maxima, [&](auto &v) { Utilities::MPI::max(v, communicator, v); });
-      Utilities::MPI::max(edges, communicator, edges);
-      for (unsigned int i = 0; i < edges.size(); ++i)
-        surfaces[i].has_edges = edges[i] > 0.;
     }
 
 

@@ -24,8 +24,9 @@ namespace stickslip
 
   /**
    * Pairs between all bodies of @p mesh that none of the @p explicit_pairs
-   * names together and of which one can deform: each boundary of the slave
-   * against the whole boundary of the master. Left out are symmetry planes and
+   * names together and of which one can deform, one for two bodies: all
+   * boundaries of the slave, so that its edges have corner normals, against the
+   * whole boundary of the master. Left out are symmetry planes and
    * periodic boundaries; of a slave also boundaries whose displacement is
    * prescribed. The roles are chosen as a user is advised to:
    *

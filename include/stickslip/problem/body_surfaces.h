@@ -27,7 +27,6 @@ namespace stickslip
     unsigned int       body    = 0;
     bool               is_free = true; ///< no symmetry plane, not periodic
     bool               is_prescribed = false; ///< all its displacements
-    bool               has_edges     = false; ///< sharp ones inside
 
     double         n_faces           = 0.;
     double         area              = 0.;

@@ -1,13 +1,11 @@
 #include <stickslip/contact/pairing/corner_normals.h>
 
 #include <stickslip/contact/pairing/corner_cone.h>
-#include <stickslip/contact/surface/projected_face.h>
+#include <stickslip/contact/pairing/partner_motion.h>
 
 #include <deal.II/lac/full_matrix.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 
 namespace stickslip
@@ -17,138 +15,216 @@ namespace stickslip
     /// A cone that has less of the direction to the master does not face it.
     constexpr double least_part_in_cone = 0.1;
 
-    /// A node whose projection is farther from the middle of the master face,
-    /// in its coordinates, has nothing opposite.
-    constexpr double farthest_extrapolation = 1.;
+
+
+    /// How much a place on a face around a node counts: the node's shape
+    /// function, squared, as those of degree 2 have both signs.
+    double
+    nearness(const double N)
+    {
+      return N * N;
+    }
 
 
 
-    /// The point of the master opposite a node: x_m(eta) + distance n_0 = x,
-    /// with the direction n_0 along which a face around the node is projected.
+    /// What is opposite a face around a node, seen as one plane.
     template <int dim>
     struct Opposite
     {
-      bool           is_there = false;
-      unsigned int   around   = 0; ///< number of the face around the node
-      unsigned int   master   = 0; ///< number in the patch
-      Point<dim - 1> eta;
-      double         distance = 0.;
-
-      Tensor<2, dim> inverse; ///< of the matrix of (a_alpha, n_0)
+      Point<dim - 1> mean_xi; ///< weighted with the nearness
+      Tensor<1, dim> mean_x;  ///< likewise, on the master
+      /// Tangents: integrals of (xi_d - mean_xi_d) (x_m - mean_x).
+      std::array<Tensor<1, dim>, dim - 1> S;
     };
 
 
 
-    /// The segments' point that is nearest to the node on one of its faces.
     template <int dim>
     Opposite<dim>
-    nearest_point(const FaceShape<dim>                 &shape,
-                  const MortarNode<dim>                &node,
-                  const std::vector<FaceSegments<dim>> &segments)
+    look_opposite(const FaceShape<dim>    &shape,
+                  const unsigned int       j,
+                  const FaceSegments<dim> &segments,
+                  const MasterPatch<dim>  &patch)
     {
-      Opposite<dim> result;
-      double        least = 1.;
-      for (unsigned int a = 0; a < node.faces.size(); ++a)
+      Opposite<dim>               opposite;
+      std::vector<double>         weights, N;
+      std::vector<Tensor<1, dim>> x_m;
+      double                      sum = 0.;
+      for (const auto &point : segments.points)
         {
-          const auto              &around  = node.faces[a];
-          const Point<dim - 1>    &place   = shape.node(around.displacement);
-          const FaceSegments<dim> &of_face = segments[around.face];
-          for (const auto &point : of_face.points)
-            if (point.xi.distance(place) < least)
+          shape.evaluate_values(point.xi, N);
+          weights.push_back(point.weight * nearness(N[j]));
+          shape.evaluate_values(point.eta, N);
+          x_m.push_back(interpolate<dim>(
+            N, patch.configuration(segments.masters[point.master]).positions));
+          sum += weights.back();
+          opposite.mean_xi += weights.back() * point.xi;
+          opposite.mean_x += weights.back() * x_m.back();
+        }
+      if (!(sum > 0.))
+        return opposite;
+      opposite.mean_xi /= sum;
+      opposite.mean_x /= sum;
+      for (unsigned int q = 0; q < weights.size(); ++q)
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          opposite.S[d] += weights[q] *
+                           (segments.points[q].xi[d] - opposite.mean_xi[d]) *
+                           (x_m[q] - opposite.mean_x);
+      return opposite;
+    }
+
+
+
+    /// Columns: [stencil node, then master node of the average] * dim.
+    template <int dim>
+    using TangentDerivatives =
+      std::array<std::vector<Tensor<1, dim>>, dim - 1>; ///< [d][column]
+
+
+
+    template <int dim>
+    class OppositeDerivative
+    {
+    public:
+      OppositeDerivative(const FaceShape<dim>     &shape,
+                         const MortarNode<dim>    &node,
+                         const MortarAverage<dim> &average,
+                         const MasterPatch<dim>   &patch,
+                         const bool                partners_move)
+        : shape(shape)
+        , node(node)
+        , patch(patch)
+        , n_columns((node.n_stencil_nodes() + average.n_master_nodes()) * dim)
+        , partners_move(partners_move)
+      {
+        for (unsigned int l = 0; l < average.n_master_nodes(); ++l)
+          numbers[average.master_dofs[l * dim]] = node.n_stencil_nodes() + l;
+      }
+
+      /// Of the tangents S of what is opposite a face around the node.
+      TangentDerivatives<dim>
+      of_tangents(const typename MortarNode<dim>::Around &around,
+                  const MortarFace<dim>                  &slave,
+                  const FaceSegments<dim>                &segments,
+                  const Opposite<dim>                    &opposite) const
+      {
+        const unsigned int       j = around.displacement;
+        const PartnerMotion<dim> motion(shape, slave);
+        TangentDerivatives<dim>  D_S;
+        D_S.fill(std::vector<Tensor<1, dim>>(n_columns));
+        typename PartnerMotion<dim>::Partner partner;
+        for (const auto &point : segments.points)
+          {
+            const unsigned int m       = segments.masters[point.master];
+            const auto         columns = columns_of(around, m);
+            motion.evaluate(point, patch.configuration(m).positions, partner);
+            const auto weights =
+              weights_at(point.xi, partner.N[j], opposite, point.weight);
+            for (unsigned int d = 0; d < dim - 1; ++d)
               {
-                least           = point.xi.distance(place);
-                result.is_there = true;
-                result.around   = a;
-                result.master   = of_face.masters[point.master];
-                result.eta      = point.eta;
+                for (unsigned int k = 0; k < shape.n_nodes(); ++k)
+                  for (unsigned int c = 0; c < dim; ++c)
+                    D_S[d][columns[(shape.n_nodes() + k) * dim + c]][c] +=
+                      weights[d] * partner.master.value[k];
+                if (!partners_move)
+                  continue;
+                for (unsigned int k = 0; k < columns.size(); ++k)
+                  for (unsigned int e = 0; e < dim - 1; ++e)
+                    D_S[d][columns[k]] +=
+                      (weights[d] * partner.D_eta[e][k]) * partner.a[e];
               }
-        }
-      return result;
-    }
+          }
+        if (partners_move)
+          add_ends(around, motion, segments, opposite, D_S);
+        return D_S;
+      }
+
+    private:
+      const FaceShape<dim>                           &shape;
+      const MortarNode<dim>                          &node;
+      const MasterPatch<dim>                         &patch;
+      const unsigned int                              n_columns;
+      const bool                                      partners_move;
+      std::map<types::global_dof_index, unsigned int> numbers;
+
+      /// Columns of the nodes of a slave face and of a master face.
+      std::vector<unsigned int>
+      columns_of(const typename MortarNode<dim>::Around &around,
+                 const unsigned int                      master) const
+      {
+        std::vector<unsigned int> columns;
+        for (const unsigned int k : around.stencil)
+          for (unsigned int c = 0; c < dim; ++c)
+            columns.push_back(k * dim + c);
+        const SurfaceFace<dim> &face = patch.face(master);
+        for (unsigned int k = 0; k < face.n_nodes; ++k)
+          for (unsigned int c = 0; c < dim; ++c)
+            columns.push_back(numbers.at(face.dofs[k * dim]) * dim + c);
+        return columns;
+      }
+
+      static Tensor<1, dim - 1>
+      weights_at(const Point<dim - 1> &xi,
+                 const double          N,
+                 const Opposite<dim>  &opposite,
+                 const double          area)
+      {
+        return (area * nearness(N)) * (xi - opposite.mean_xi);
+      }
+
+      /// What the motion of the borders changes where the master ends.
+      void
+      add_ends(const typename MortarNode<dim>::Around &around,
+               const PartnerMotion<dim>               &motion,
+               const FaceSegments<dim>                &segments,
+               const Opposite<dim>                    &opposite,
+               TangentDerivatives<dim>                &D_S) const
+      {
+        std::vector<double> N, N_master;
+        for (const auto &end : segments.ends)
+          {
+            const unsigned int m         = segments.masters[end.master];
+            const auto        &positions = patch.configuration(m).positions;
+            const auto         columns   = columns_of(around, m);
+            const auto         gain      = motion.border_motion(end, positions);
+            shape.evaluate_values(end.xi, N);
+            shape.evaluate_values(end.eta, N_master);
+            const Tensor<1, dim> x =
+              interpolate<dim>(N_master, positions) - opposite.mean_x;
+            const auto weights =
+              weights_at(end.xi, N[around.displacement], opposite, 1.);
+            for (unsigned int d = 0; d < dim - 1; ++d)
+              for (unsigned int k = 0; k < columns.size(); ++k)
+                D_S[d][columns[k]] += (weights[d] * gain[k]) * x;
+          }
+      }
+    };
 
 
 
-    /// Where the node itself is projected to on the master face of the nearest
-    /// point: it may lie a little beyond the face's end.
-    template <int dim>
-    Opposite<dim>
-    opposite_of(const FaceShape<dim>                 &shape,
-                const MortarNode<dim>                &node,
-                const std::vector<MortarFace<dim>>   &faces,
-                const std::vector<FaceSegments<dim>> &segments,
-                const MasterPatch<dim>               &patch)
-    {
-      Opposite<dim> result = nearest_point(shape, node, segments);
-      if (!result.is_there)
-        return result;
-      const auto            &around = node.faces[result.around];
-      const MortarFace<dim> &slave  = faces[around.face];
-      const Tensor<1, dim>   n_0 =
-        projection_plane(slave.face, shape, slave.positions).n;
-      const Tensor<1, dim> x     = slave.positions[around.displacement];
-      const auto          &nodes = patch.configuration(result.master).positions;
-
-      FaceShapeValues<dim> values;
-      for (unsigned int iteration = 0; iteration < 20; ++iteration)
-        {
-          shape.evaluate(result.eta, values);
-          const auto     a = surface_tangents<dim>(values.gradient, nodes);
-          Tensor<2, dim> jacobian;
-          for (unsigned int i = 0; i < dim; ++i)
-            {
-              for (unsigned int d = 0; d < dim - 1; ++d)
-                jacobian[i][d] = a[d][i];
-              jacobian[i][dim - 1] = n_0[i];
-            }
-          result.inverse = invert(jacobian);
-          const Tensor<1, dim> step =
-            result.inverse * (x - interpolate<dim>(values.value, nodes));
-          result.distance = step[dim - 1];
-          double size     = 0.;
-          for (unsigned int d = 0; d < dim - 1; ++d)
-            {
-              result.eta[d] += step[d];
-              size = std::max(size, std::abs(step[d]));
-            }
-          if (size < 1e-14)
-            break;
-        }
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        if (!(std::abs(result.eta[d] - 0.5) < farthest_extrapolation))
-          result.is_there = false;
-      return result;
-    }
-
-
-
-    /// Change of a_1 x a_2 when eta_d grows.
+    /// Change of surface_normal() of the tangents @p S along one column.
     template <int dim>
     Tensor<1, dim>
-    normal_along(const std::array<Tensor<1, dim>, dim - 1> &a,
-                 const FaceShapeValues<dim>                &values,
-                 const std::vector<Tensor<1, dim>>         &nodes,
-                 const unsigned int                         d)
+    normal_change(const std::array<Tensor<1, dim>, dim - 1> &S,
+                  const TangentDerivatives<dim>             &D_S,
+                  const unsigned int                         column)
     {
-      std::array<Tensor<1, dim>, dim - 1> D_a;
-      for (unsigned int k = 0; k < nodes.size(); ++k)
-        for (unsigned int alpha = 0; alpha < dim - 1; ++alpha)
-          D_a[alpha] += values.hessian[k][alpha][d] * nodes[k];
       if constexpr (dim == 2)
-        return surface_normal<dim>(D_a);
+        return surface_normal<dim>({{D_S[0][column]}});
       else
-        return cross_product_3d(D_a[0], a[1]) + cross_product_3d(a[0], D_a[1]);
+        return cross_product_3d(D_S[0][column], S[1]) +
+               cross_product_3d(S[0], D_S[1][column]);
     }
 
 
 
-    /// The nearest vector M of the cone to the master's normal t, turned round.
+    /// The nearest vector of the cone to the master's normal, turned round.
     template <int dim>
     struct CornerNormal
     {
-      Opposite<dim>        opposite;
-      FaceShapeValues<dim> values; ///< on the master
-      Tensor<1, dim>       t;
-      NearestInCone<dim>   nearest;
+      std::vector<Opposite<dim>> opposites; ///< per face around the node
+      Tensor<1, dim>             v; ///< sum of the normals of what is opposite
+      NearestInCone<dim>         nearest; ///< to v / |v|
     };
 
 
@@ -161,77 +237,18 @@ namespace stickslip
                   const std::vector<FaceSegments<dim>> &segments,
                   const MasterPatch<dim>               &patch)
     {
-      CornerNormal<dim> result;
-      result.opposite = opposite_of(shape, node, faces, segments, patch);
-      if (!result.opposite.is_there)
-        return result;
-      const unsigned int m = result.opposite.master;
-      shape.evaluate(result.opposite.eta, result.values);
-      result.t =
-        -1. *
-        outward_normal(patch.face(m),
-                       surface_tangents<dim>(result.values.gradient,
-                                             patch.configuration(m).positions));
-      result.t /= result.t.norm();
-      result.nearest = nearest_in_cone(cone_of(shape, node, faces), result.t);
-      return result;
-    }
-
-
-
-    /// Derivative of t, per [stencil node, then master node].
-    template <int dim>
-    std::vector<Tensor<2, dim>>
-    master_normal_derivative(const FaceShape<dim>               &shape,
-                             const MortarNode<dim>              &node,
-                             const MortarAverage<dim>           &average,
-                             const std::vector<MortarFace<dim>> &faces,
-                             const MasterPatch<dim>             &patch,
-                             const CornerNormal<dim>            &corner)
-    {
-      const auto             &opposite = corner.opposite;
-      const auto             &around   = node.faces[opposite.around];
-      const MortarFace<dim>  &slave    = faces[around.face];
-      const SurfaceFace<dim> &master   = patch.face(opposite.master);
-      const auto &nodes = patch.configuration(opposite.master).positions;
-      const auto  a     = surface_tangents<dim>(corner.values.gradient, nodes);
-      // t = orientation v / |v| with v = a_1 x a_2
-      const Tensor<2, dim> D_unit =
-        master.orientation * unit_vector_derivative(surface_normal<dim>(a));
-      const auto                  D_n_0 = outward_normal_derivative(slave.face,
-                                                   slave.positions,
-                                                   shape.at_centre());
-      std::vector<Tensor<2, dim>> D_t(node.n_stencil_nodes() +
-                                      average.n_master_nodes());
-
-      std::map<types::global_dof_index, unsigned int> numbers;
-      for (unsigned int l = 0; l < average.n_master_nodes(); ++l)
-        numbers[average.master_dofs[l * dim]] = node.n_stencil_nodes() + l;
-      for (unsigned int k = 0; k < master.n_nodes; ++k)
-        if (const auto number = numbers.find(master.dofs[k * dim]);
-            number != numbers.end()) // else without a share in the integrals
-          D_t[number->second] +=
-            D_unit *
-            surface_normal_derivative<dim>(a, corner.values.gradient[k]);
-
-      for (unsigned int d = 0; d < dim - 1; ++d)
+      CornerNormal<dim> corner;
+      for (const auto &around : node.faces)
         {
-          // eta_d moves with the nodes of both faces
-          const Tensor<1, dim> along =
-            D_unit * normal_along(a, corner.values, nodes, d);
-          const Tensor<1, dim> &row = opposite.inverse[d];
-          for (unsigned int k = 0; k < master.n_nodes; ++k)
-            if (const auto number = numbers.find(master.dofs[k * dim]);
-                number != numbers.end())
-              D_t[number->second] -=
-                outer_product(along, corner.values.value[k] * row);
-          for (unsigned int k = 0; k < around.stencil.size(); ++k)
-            D_t[around.stencil[k]] +=
-              outer_product(along,
-                            (k == around.displacement ? 1. : 0.) * row -
-                              opposite.distance * (row * D_n_0[k]));
+          corner.opposites.push_back(look_opposite(
+            shape, around.displacement, segments[around.face], patch));
+          corner.v +=
+            outward_normal(faces[around.face].face, corner.opposites.back().S);
         }
-      return D_t;
+      if (corner.v.norm() > 0.)
+        corner.nearest = nearest_in_cone(cone_of(shape, node, faces),
+                                         corner.v / corner.v.norm());
+      return corner;
     }
   } // namespace
 
@@ -266,42 +283,64 @@ namespace stickslip
                                const std::vector<MortarFace<dim>>   &faces,
                                const std::vector<FaceSegments<dim>> &segments,
                                const MasterPatch<dim>               &patch,
-                               std::vector<Tensor<2, dim>>          &D_normal)
+                               const bool                   partners_move,
+                               std::vector<Tensor<2, dim>> &D_normal)
   {
     const CornerNormal<dim> corner =
       corner_normal(shape, node, faces, segments, patch);
-    const auto D_t =
-      master_normal_derivative(shape, node, average, faces, patch, corner);
 
     // M = G a with G^T G a = G^T t, so that with P = G (G^T G)^-1 G^T
     // D M = P D t + (1 - P) D G a + G (G^T G)^-1 D G^T (t - M)
-    const unsigned int   n = corner.nearest.side.size();
-    Tensor<2, dim>       P = unit_symmetric_tensor<dim>();
-    const Tensor<2, dim> identity(P);
-    FullMatrix<double>   inverse(n, n);
+    const auto                 &side = corner.nearest.side;
+    const unsigned int          n    = side.size();
+    const Tensor<2, dim>        identity(unit_symmetric_tensor<dim>());
+    Tensor<2, dim>              P(identity);
+    std::vector<Tensor<1, dim>> dual(n);
     if (n > 0)
       {
+        FullMatrix<double> inverse(n, n);
         for (unsigned int i = 0; i < n; ++i)
           for (unsigned int j = 0; j < n; ++j)
-            inverse(i, j) = corner.nearest.side[i].direction *
-                            corner.nearest.side[j].direction;
+            inverse(i, j) = side[i].direction * side[j].direction;
         inverse.gauss_jordan();
         P = 0.;
         for (unsigned int i = 0; i < n; ++i)
-          for (unsigned int j = 0; j < n; ++j)
-            P +=
-              inverse(i, j) * outer_product(corner.nearest.side[i].direction,
-                                            corner.nearest.side[j].direction);
+          {
+            for (unsigned int j = 0; j < n; ++j)
+              dual[i] += inverse(j, i) * side[j].direction;
+            P += outer_product(dual[i], side[i].direction);
+          }
       }
-    for (unsigned int k = 0; k < D_t.size(); ++k)
-      D_normal[k] += P * D_t[k];
+
+    const Tensor<2, dim>          D_t = P * unit_vector_derivative(corner.v);
+    const OppositeDerivative<dim> derivative(
+      shape, node, average, patch, partners_move);
+    for (unsigned int f = 0; f < node.faces.size(); ++f)
+      {
+        const auto            &around   = node.faces[f];
+        const MortarFace<dim> &slave    = faces[around.face];
+        const Opposite<dim>   &opposite = corner.opposites[f];
+        if (segments[around.face].points.empty())
+          continue;
+        const auto D_S = derivative.of_tangents(around,
+                                                slave,
+                                                segments[around.face],
+                                                opposite);
+        for (unsigned int k = 0; k < D_normal.size(); ++k)
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              const Tensor<1, dim> change =
+                D_t * (-slave.face.orientation *
+                       normal_change<dim>(opposite.S, D_S, k * dim + c));
+              for (unsigned int i = 0; i < dim; ++i)
+                D_normal[k][i][c] += change[i];
+            }
+      }
+
+    const Tensor<1, dim> t = corner.v / corner.v.norm();
     for (unsigned int i = 0; i < n; ++i)
       {
-        const ConeGenerator<dim> &generator = corner.nearest.side[i];
-        Tensor<1, dim>            dual;
-        for (unsigned int j = 0; j < n; ++j)
-          dual += inverse(j, i) * corner.nearest.side[j].direction;
-        const auto            &around = node.faces[generator.around];
+        const auto            &around = node.faces[side[i].around];
         const MortarFace<dim> &slave  = faces[around.face];
         const auto             D_g =
           outward_normal_derivative(slave.face,
@@ -310,7 +349,7 @@ namespace stickslip
         for (unsigned int k = 0; k < around.stencil.size(); ++k)
           D_normal[around.stencil[k]] +=
             corner.nearest.shares[i] * (identity - P) * D_g[k] +
-            outer_product(dual, (corner.t - corner.nearest.M) * D_g[k]);
+            outer_product(dual[i], (t - corner.nearest.M) * D_g[k]);
       }
   }
 
@@ -328,6 +367,7 @@ namespace stickslip
     const std::vector<MortarFace<dim>> &,                                  \
     const std::vector<FaceSegments<dim>> &,                                \
     const MasterPatch<dim> &,                                              \
+    const bool,                                                            \
     std::vector<Tensor<2, dim>> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -1,8 +1,8 @@
 #include <stickslip/contact/pairing/mortar_derivatives.h>
 
 #include <stickslip/contact/pairing/corner_normals.h>
+#include <stickslip/contact/pairing/partner_motion.h>
 
-#include <array>
 #include <map>
 
 namespace stickslip
@@ -22,42 +22,6 @@ namespace stickslip
       for (unsigned int l = 0; l < average.n_master_nodes(); ++l)
         numbers[average.master_dofs[l * dim]] = l;
       return numbers;
-    }
-
-
-
-    /// How the partner of a fixed point of the slave moves: derivative of eta
-    /// with respect to x_s, and the distance along the normal.
-    template <int dim>
-    struct Partner
-    {
-      std::array<Tensor<1, dim>, dim - 1> D_eta; ///< rows
-      double                              distance = 0.;
-    };
-
-
-
-    /// From x_m(eta) + g n = x_s.
-    template <int dim>
-    Partner<dim>
-    partner_of(const Tensor<1, dim>                      &x_s,
-               const Tensor<1, dim>                      &x_m,
-               const std::array<Tensor<1, dim>, dim - 1> &a,
-               const Tensor<1, dim>                      &n)
-    {
-      Tensor<2, dim> jacobian;
-      for (unsigned int i = 0; i < dim; ++i)
-        {
-          for (unsigned int d = 0; d < dim - 1; ++d)
-            jacobian[i][d] = a[d][i];
-          jacobian[i][dim - 1] = n[i];
-        }
-      const Tensor<2, dim> inverse = invert(jacobian);
-      Partner<dim>         partner;
-      partner.distance = (x_s - x_m) * n;
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        partner.D_eta[d] = inverse[d];
-      return partner;
     }
   } // namespace
 
@@ -80,54 +44,29 @@ namespace stickslip
                                             const FullMatrix<double> &weighting,
                                             const MasterPatch<dim> &patch) const
   {
-    const unsigned int n = displacement_shape.n_nodes();
-    const auto         plane =
-      projection_plane(slave.face, displacement_shape, slave.positions);
-    const auto D_plane_normal =
-      outward_normal_derivative(slave.face,
-                                slave.positions,
-                                displacement_shape.at_centre());
-
-    std::vector<FullMatrix<double>> D_M(segments.masters.size(),
+    const unsigned int                   n = displacement_shape.n_nodes();
+    const PartnerMotion<dim>             motion(displacement_shape, slave);
+    std::vector<FullMatrix<double>>      D_M(segments.masters.size(),
                                         FullMatrix<double>(n, 2 * n * dim));
-    std::vector<double>             L, N, D_eta(2 * n * dim);
-    FaceShapeValues<dim>            master_values;
+    std::vector<double>                  L;
+    typename PartnerMotion<dim>::Partner partner;
     for (const auto &point : segments.points)
       {
         multiplier_shape.evaluate_values(point.xi, L);
         const double psi = point.weight * combination(weighting, l, L);
         if (psi == 0.)
           continue;
-        displacement_shape.evaluate_values(point.xi, N);
-        displacement_shape.evaluate(point.eta, master_values);
-        const auto &nodes =
-          patch.configuration(segments.masters[point.master]).positions;
-        const Partner<dim> partner =
-          partner_of<dim>(interpolate<dim>(N, slave.positions),
-                          interpolate<dim>(master_values.value, nodes),
-                          surface_tangents<dim>(master_values.gradient, nodes),
-                          plane.n);
+        motion.evaluate(
+          point,
+          patch.configuration(segments.masters[point.master]).positions,
+          partner);
         for (unsigned int d = 0; d < dim - 1; ++d)
-          {
-            // derivative of eta_d along the nodes of both faces
-            const Tensor<1, dim> &row = partner.D_eta[d];
-            for (unsigned int k = 0; k < n; ++k)
-              {
-                const Tensor<1, dim> along_slave =
-                  N[k] * row - partner.distance * (row * D_plane_normal[k]);
-                for (unsigned int c = 0; c < dim; ++c)
-                  {
-                    D_eta[k * dim + c]       = along_slave[c];
-                    D_eta[(n + k) * dim + c] = -master_values.value[k] * row[c];
-                  }
-              }
-            for (unsigned int i = 0; i < n; ++i)
-              {
-                const double factor = psi * master_values.gradient[i][d];
-                for (unsigned int k = 0; k < D_eta.size(); ++k)
-                  D_M[point.master](i, k) += factor * D_eta[k];
-              }
-          }
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              const double factor = psi * partner.master.gradient[i][d];
+              for (unsigned int k = 0; k < 2 * n * dim; ++k)
+                D_M[point.master](i, k) += factor * partner.D_eta[d][k];
+            }
       }
     return D_M;
   }
@@ -145,17 +84,12 @@ namespace stickslip
     const std::vector<std::vector<unsigned int>> &rows,
     MortarDerivative<dim>                        &derivative) const
   {
-    const unsigned int n       = displacement_shape.n_nodes();
-    const unsigned int l       = around.multiplier;
-    const unsigned int n_slave = derivative.D_D.m();
-    const auto         plane =
-      projection_plane(slave.face, displacement_shape, slave.positions);
-    const auto D_plane_normal =
-      outward_normal_derivative(slave.face,
-                                slave.positions,
-                                displacement_shape.at_centre());
+    const unsigned int       n       = displacement_shape.n_nodes();
+    const unsigned int       l       = around.multiplier;
+    const unsigned int       n_slave = derivative.D_D.m();
+    const PartnerMotion<dim> partners(displacement_shape, slave);
 
-    std::vector<double>       L, N, N_master, motion(2 * n * dim);
+    std::vector<double>       L, N, N_master, motion;
     std::vector<unsigned int> columns(2 * n * dim);
     const auto                add = [&](const unsigned int  row,
                          const double        factor,
@@ -168,32 +102,16 @@ namespace stickslip
         multiplier_shape.evaluate_values(end.xi, L);
         displacement_shape.evaluate_values(end.xi, N);
         displacement_shape.evaluate_values(end.eta, N_master);
-        std::vector<double> N_border(n, 0.);
-        N_border[end.nodes[0]] += 1. - end.share;
-        N_border[end.nodes[1]] += end.share;
-        const auto &line =
-          end.on_slave
-            ? slave.positions
-            : patch.configuration(segments.masters[end.master]).positions;
-        const double distance = (interpolate<dim>(N_border, line) -
-                                 interpolate<dim>(N, slave.positions)) *
-                                plane.n;
         // the area that the border gains
+        motion = partners.border_motion(
+          end, patch.configuration(segments.masters[end.master]).positions);
         for (unsigned int k = 0; k < n; ++k)
-          {
-            const Tensor<1, dim> along_slave =
-              ((end.on_slave ? N_border[k] : 0.) - N[k]) * end.outward -
-              distance * (end.outward * D_plane_normal[k]);
-            for (unsigned int c = 0; c < dim; ++c)
-              {
-                columns[k * dim + c] = around.stencil[k] * dim + c;
-                columns[(n + k) * dim + c] =
-                  (n_slave + rows[end.master][k]) * dim + c;
-                motion[k * dim + c] = end.weight * along_slave[c];
-                motion[(n + k) * dim + c] =
-                  end.on_slave ? 0. : end.weight * N_border[k] * end.outward[c];
-              }
-          }
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              columns[k * dim + c] = around.stencil[k] * dim + c;
+              columns[(n + k) * dim + c] =
+                (n_slave + rows[end.master][k]) * dim + c;
+            }
         const double psi = combination(integrals.weighting, l, L);
         for (unsigned int k = 0; k < n; ++k)
           {
@@ -253,6 +171,7 @@ namespace stickslip
                                    faces,
                                    segments,
                                    patch,
+                                   partners_move,
                                    derivative.D_normal);
     derivative.D_D.reinit(0, 0);
     derivative.D_area.clear();

@@ -11,10 +11,11 @@ namespace stickslip
       "Automatic",
       active,
       "Contact between all bodies, wherever they are near each other or come "
-      "near each other: two bodies that no pair below names together get "
-      "pairs of their own, one for each boundary of the slave against the "
-      "whole boundary of the master, without symmetry planes and periodic "
-      "boundaries. Who is slave of whom, and why, is said at the start.");
+      "near each other: two bodies that no pair below names together get a "
+      "pair of their own, called <slave>_on_<master>: the whole boundary of "
+      "the slave against that of the master, without symmetry planes and "
+      "periodic boundaries. Who is slave of whom, and why, is said at the "
+      "start.");
     prm.add_parameter("Automatic friction coefficient",
                       friction_coefficient,
                       "With 'Automatic': Coulomb's mu of these pairs. 0: no "

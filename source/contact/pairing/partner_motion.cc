@@ -1,0 +1,92 @@
+#include <stickslip/contact/pairing/partner_motion.h>
+
+namespace stickslip
+{
+  template <int dim>
+  PartnerMotion<dim>::PartnerMotion(const FaceShape<dim>  &shape,
+                                    const MortarFace<dim> &slave)
+    : shape(shape)
+    , slave(slave)
+    , n_0(projection_plane(slave.face, shape, slave.positions).n)
+    , D_n_0(outward_normal_derivative(slave.face,
+                                      slave.positions,
+                                      shape.at_centre()))
+  {}
+
+
+
+  template <int dim>
+  void
+  PartnerMotion<dim>::evaluate(const SegmentPoint<dim>           &point,
+                               const std::vector<Tensor<1, dim>> &master,
+                               Partner                           &partner) const
+  {
+    const unsigned int n = shape.n_nodes();
+    shape.evaluate_values(point.xi, partner.N);
+    shape.evaluate(point.eta, partner.master);
+    partner.a = surface_tangents<dim>(partner.master.gradient, master);
+
+    Tensor<2, dim> jacobian;
+    for (unsigned int i = 0; i < dim; ++i)
+      {
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          jacobian[i][d] = partner.a[d][i];
+        jacobian[i][dim - 1] = n_0[i];
+      }
+    const Tensor<2, dim> inverse = invert(jacobian);
+    const double distance = (interpolate<dim>(partner.N, slave.positions) -
+                             interpolate<dim>(partner.master.value, master)) *
+                            n_0;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      {
+        const Tensor<1, dim> &row   = inverse[d];
+        std::vector<double>  &D_eta = partner.D_eta[d];
+        D_eta.resize(2 * n * dim);
+        for (unsigned int k = 0; k < n; ++k)
+          {
+            const Tensor<1, dim> along_slave =
+              partner.N[k] * row - distance * (row * D_n_0[k]);
+            for (unsigned int c = 0; c < dim; ++c)
+              {
+                D_eta[k * dim + c]       = along_slave[c];
+                D_eta[(n + k) * dim + c] = -partner.master.value[k] * row[c];
+              }
+          }
+      }
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  PartnerMotion<dim>::border_motion(
+    const SegmentEnd<dim>             &end,
+    const std::vector<Tensor<1, dim>> &master) const
+  {
+    const unsigned int  n = shape.n_nodes();
+    std::vector<double> N, N_border(n, 0.), motion(2 * n * dim);
+    shape.evaluate_values(end.xi, N);
+    N_border[end.nodes[0]] += 1. - end.share;
+    N_border[end.nodes[1]] += end.share;
+    const double distance =
+      (interpolate<dim>(N_border, end.on_slave ? slave.positions : master) -
+       interpolate<dim>(N, slave.positions)) *
+      n_0;
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        const Tensor<1, dim> along_slave =
+          ((end.on_slave ? N_border[k] : 0.) - N[k]) * end.outward -
+          distance * (end.outward * D_n_0[k]);
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            motion[k * dim + c] = end.weight * along_slave[c];
+            motion[(n + k) * dim + c] =
+              end.on_slave ? 0. : end.weight * N_border[k] * end.outward[c];
+          }
+      }
+    return motion;
+  }
+
+  template class PartnerMotion<2>;
+  template class PartnerMotion<3>;
+} // namespace stickslip
