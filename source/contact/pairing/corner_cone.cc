@@ -1,6 +1,9 @@
 #include <stickslip/contact/pairing/corner_cone.h>
 
+#include <stickslip/contact/pairing/surface_borders.h>
+
 #include <algorithm>
+#include <cmath>
 
 namespace stickslip
 {
@@ -36,72 +39,65 @@ namespace stickslip
 
 
 
-    /// Shares of generators in the vector of their span that is nearest to
-    /// @p target; empty if one of them is negative.
+    /// Directions that lie closer together than this span nothing.
+    constexpr double same_direction = 1e-12;
+
+
+
+    /**
+     * The dual basis of some generators in their span: its products with them
+     * are 1 and 0. Empty if they are not independent. Exact to roundoff also
+     * for nearly parallel ones, as the normals of a nearly flat surface are.
+     */
     template <int dim>
-    std::vector<double>
-    shares_in_span(const std::vector<ConeGenerator<dim>> &cone,
-                   const std::vector<unsigned int>       &chosen,
-                   const Tensor<1, dim>                  &target)
+    std::vector<Tensor<1, dim>>
+    dual_basis(const std::vector<Tensor<1, dim>> &g)
     {
-      const Tensor<1, dim> &g = cone[chosen[0]].direction;
-      std::vector<double>   shares;
-      if (chosen.size() == 1)
-        shares = {g * target};
-      else
+      if (g.size() == 1)
+        return g;
+      if (g.size() == 2)
         {
-          const Tensor<1, dim> &h           = cone[chosen[1]].direction;
-          const double          determinant = 1. - (g * h) * (g * h);
-          if (determinant < 1e-14)
+          Tensor<1, dim> across = g[1] - g[0];
+          across -= (across * g[0]) * g[0];
+          if (across.norm() < same_direction)
             return {};
-          shares = {(g * target - (g * h) * (h * target)) / determinant,
-                    (h * target - (g * h) * (g * target)) / determinant};
+          across /= across.norm_square();
+          return {g[0] - (g[0] * g[1]) * across, across};
         }
-      for (const double share : shares)
-        if (share < 0.)
-          return {};
-      return shares;
-    }
-
-
-
-    /// True if no generator leads from @p M nearer to @p target.
-    template <int dim>
-    bool
-    is_nearest(const std::vector<ConeGenerator<dim>> &cone,
-               const Tensor<1, dim>                  &M,
-               const Tensor<1, dim>                  &target)
-    {
-      return std::all_of(cone.begin(), cone.end(), [&](const auto &generator) {
-        return generator.direction * (target - M) < 1e-12;
-      });
-    }
-
-
-
-    /// The generators of the side of @p cone that is nearest to @p target: none
-    /// if the target is inside.
-    template <int dim>
-    std::vector<unsigned int>
-    nearest_side(const std::vector<ConeGenerator<dim>> &cone,
-                 const Tensor<1, dim>                  &target)
-    {
-      std::vector<std::vector<unsigned int>> sides;
-      for (unsigned int i = 0; i < cone.size(); ++i)
-        sides.push_back({i});
-      for (unsigned int i = 0; i < cone.size() && dim == 3; ++i)
-        for (unsigned int j = 0; j < i; ++j)
-          sides.push_back({i, j});
-      for (const auto &side : sides)
+      if constexpr (dim == 3)
         {
-          const auto     shares = shares_in_span(cone, side, target);
-          Tensor<1, dim> M;
-          for (unsigned int i = 0; i < shares.size(); ++i)
-            M += shares[i] * cone[side[i]].direction;
-          if (!shares.empty() && is_nearest(cone, M, target))
-            return side;
+          const std::vector<Tensor<1, dim>> normals{
+            cross_product_3d(g[1], g[2]),
+            cross_product_3d(g[2], g[0]),
+            cross_product_3d(g[0], g[1])};
+          const double volume = normals[0] * g[0];
+          if (std::abs(volume) > same_direction)
+            return {normals[0] / volume,
+                    normals[1] / volume,
+                    normals[2] / volume};
         }
       return {};
+    }
+
+
+
+    /// All choices of 1 to dim of @p n things.
+    template <int dim>
+    std::vector<std::vector<unsigned int>>
+    choices(const unsigned int n)
+    {
+      std::vector<std::vector<unsigned int>> result;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          result.push_back({i});
+          for (unsigned int j = 0; j < i; ++j)
+            {
+              result.push_back({i, j});
+              for (unsigned int k = 0; k < j && dim == 3; ++k)
+                result.push_back({i, j, k});
+            }
+        }
+      return result;
     }
   } // namespace
 
@@ -125,6 +121,9 @@ namespace stickslip
               if (normals.back() * other < sharpest_smooth_kink)
                 node.is_corner = true;
           }
+        node.borders = find_borders(shape, node, faces);
+        if (!node.borders.empty())
+          node.is_corner = true;
       }
   }
 
@@ -145,9 +144,44 @@ namespace stickslip
                                        slave.face,
                                        around.displacement,
                                        slave.positions),
-                        a});
+                        a,
+                        {}});
+      }
+    for (const auto &border : node.borders)
+      {
+        const auto            &around = node.faces[border.around];
+        const MortarFace<dim> &slave  = faces[around.face];
+        cone.push_back({direction_out(shape,
+                                      slave.face,
+                                      around.displacement,
+                                      border.neighbour,
+                                      slave.positions),
+                        border.around,
+                        border.neighbour});
       }
     return cone;
+  }
+
+
+
+  template <int dim>
+  std::vector<Tensor<2, dim>>
+  generator_derivative(const FaceShape<dim>               &shape,
+                       const MortarNode<dim>              &node,
+                       const std::vector<MortarFace<dim>> &faces,
+                       const ConeGenerator<dim>           &generator)
+  {
+    const auto            &around = node.faces[generator.around];
+    const MortarFace<dim> &slave  = faces[around.face];
+    return generator.neighbour
+             ? direction_out_derivative(shape,
+                                        slave.face,
+                                        around.displacement,
+                                        *generator.neighbour,
+                                        slave.positions)
+             : outward_normal_derivative(slave.face,
+                                         slave.positions,
+                                         shape.at_node(around.displacement));
   }
 
 
@@ -157,31 +191,56 @@ namespace stickslip
   nearest_in_cone(const std::vector<ConeGenerator<dim>> &cone,
                   const Tensor<1, dim>                  &target)
   {
+    // The nearest of the feet of the perpendiculars onto the sides, that is of
+    // the projections onto spans of generators with no negative share. That it
+    // is the nearest, and not only that a condition holds within a tolerance,
+    // makes it continuous.
     NearestInCone<dim> result;
-    if (is_nearest(cone, Tensor<1, dim>(), target))
-      return result;
-    const auto side = nearest_side(cone, target);
-    if (side.empty())
-      result.M = target;
-    else
-      result.shares = shares_in_span(cone, side, target);
-    for (unsigned int i = 0; i < side.size(); ++i)
+    double             least = target.norm();
+    for (const auto &choice : choices<dim>(cone.size()))
       {
-        result.side.push_back(cone[side[i]]);
-        result.M += result.shares[i] * cone[side[i]].direction;
+        std::vector<Tensor<1, dim>> directions;
+        for (const unsigned int i : choice)
+          directions.push_back(cone[i].direction);
+        const auto duals = dual_basis<dim>(directions);
+        if (duals.empty() ||
+            std::any_of(duals.begin(), duals.end(), [&](const auto &dual) {
+              return dual * target < 0.;
+            }))
+          continue;
+        if (choice.size() == dim)
+          {
+            result   = {};
+            result.M = target;
+            return result;
+          }
+        Tensor<1, dim> M;
+        for (unsigned int i = 0; i < choice.size(); ++i)
+          M += (duals[i] * target) * directions[i];
+        if ((target - M).norm() >= least)
+          continue;
+        least  = (target - M).norm();
+        result = {M, {}, duals};
+        for (const unsigned int i : choice)
+          result.side.push_back(cone[i]);
       }
     return result;
   }
 
-#define INSTANTIATE(dim)                                                                      \
-  template void                            find_corners(const FaceShape<dim> &,               \
-                                                        const std::vector<MortarFace<dim>> &, \
-                                                        std::vector<MortarNode<dim>> &);      \
-  template std::vector<ConeGenerator<dim>> cone_of(                                           \
-    const FaceShape<dim> &,                                                                   \
-    const MortarNode<dim> &,                                                                  \
-    const std::vector<MortarFace<dim>> &);                                                    \
-  template NearestInCone<dim> nearest_in_cone(                                                \
+#define INSTANTIATE(dim)                                                                  \
+  template void                        find_corners(const FaceShape<dim> &,               \
+                                                    const std::vector<MortarFace<dim>> &, \
+                                                    std::vector<MortarNode<dim>> &);      \
+  template std::vector<Tensor<2, dim>> generator_derivative(                              \
+    const FaceShape<dim> &,                                                               \
+    const MortarNode<dim> &,                                                              \
+    const std::vector<MortarFace<dim>> &,                                                 \
+    const ConeGenerator<dim> &);                                                          \
+  template std::vector<ConeGenerator<dim>> cone_of(                                       \
+    const FaceShape<dim> &,                                                               \
+    const MortarNode<dim> &,                                                              \
+    const std::vector<MortarFace<dim>> &);                                                \
+  template NearestInCone<dim> nearest_in_cone(                                            \
     const std::vector<ConeGenerator<dim>> &, const Tensor<1, dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -2,8 +2,7 @@
 
 #include <stickslip/contact/pairing/corner_cone.h>
 #include <stickslip/contact/pairing/partner_motion.h>
-
-#include <deal.II/lac/full_matrix.h>
+#include <stickslip/contact/pairing/surface_borders.h>
 
 #include <array>
 #include <map>
@@ -17,12 +16,20 @@ namespace stickslip
 
 
 
-    /// How much a place on a face around a node counts: the node's shape
-    /// function, squared, as those of degree 2 have both signs.
+    /// How much a place on a face counts for one of its nodes: 1 there, none at
+    /// the sides opposite. Of the lowest degree, so that the segments' points
+    /// are exact for the integrals with it.
+    template <int dim>
     double
-    nearness(const double N)
+    nearness(const FaceShape<dim> &shape,
+             const unsigned int    j,
+             const Point<dim - 1> &xi)
     {
-      return N * N;
+      const auto distances = distances_to_sides(shape, xi);
+      double     result    = 1.;
+      for (const unsigned int side : sides_of_node(shape, j))
+        result *= 1. - distances[side];
+      return result;
     }
 
 
@@ -52,8 +59,7 @@ namespace stickslip
       double                      sum = 0.;
       for (const auto &point : segments.points)
         {
-          shape.evaluate_values(point.xi, N);
-          weights.push_back(point.weight * nearness(N[j]));
+          weights.push_back(point.weight * nearness(shape, j, point.xi));
           shape.evaluate_values(point.eta, N);
           x_m.push_back(interpolate<dim>(
             N, patch.configuration(segments.masters[point.master]).positions));
@@ -119,7 +125,7 @@ namespace stickslip
             const auto         columns = columns_of(around, m);
             motion.evaluate(point, patch.configuration(m).positions, partner);
             const auto weights =
-              weights_at(point.xi, partner.N[j], opposite, point.weight);
+              weights_at(point.xi, j, opposite, point.weight);
             for (unsigned int d = 0; d < dim - 1; ++d)
               {
                 for (unsigned int k = 0; k < shape.n_nodes(); ++k)
@@ -163,13 +169,13 @@ namespace stickslip
         return columns;
       }
 
-      static Tensor<1, dim - 1>
+      Tensor<1, dim - 1>
       weights_at(const Point<dim - 1> &xi,
-                 const double          N,
+                 const unsigned int    j,
                  const Opposite<dim>  &opposite,
-                 const double          area)
+                 const double          area) const
       {
-        return (area * nearness(N)) * (xi - opposite.mean_xi);
+        return (area * nearness(shape, j, xi)) * (xi - opposite.mean_xi);
       }
 
       /// What the motion of the borders changes where the master ends.
@@ -180,19 +186,18 @@ namespace stickslip
                const Opposite<dim>                    &opposite,
                TangentDerivatives<dim>                &D_S) const
       {
-        std::vector<double> N, N_master;
+        std::vector<double> N_master;
         for (const auto &end : segments.ends)
           {
             const unsigned int m         = segments.masters[end.master];
             const auto        &positions = patch.configuration(m).positions;
             const auto         columns   = columns_of(around, m);
             const auto         gain      = motion.border_motion(end, positions);
-            shape.evaluate_values(end.xi, N);
             shape.evaluate_values(end.eta, N_master);
             const Tensor<1, dim> x =
               interpolate<dim>(N_master, positions) - opposite.mean_x;
             const auto weights =
-              weights_at(end.xi, N[around.displacement], opposite, 1.);
+              weights_at(end.xi, around.displacement, opposite, 1.);
             for (unsigned int d = 0; d < dim - 1; ++d)
               for (unsigned int k = 0; k < columns.size(); ++k)
                 D_S[d][columns[k]] += (weights[d] * gain[k]) * x;
@@ -291,26 +296,14 @@ namespace stickslip
 
     // M = G a with G^T G a = G^T t, so that with P = G (G^T G)^-1 G^T
     // D M = P D t + (1 - P) D G a + G (G^T G)^-1 D G^T (t - M)
-    const auto                 &side = corner.nearest.side;
-    const unsigned int          n    = side.size();
-    const Tensor<2, dim>        identity(unit_symmetric_tensor<dim>());
-    Tensor<2, dim>              P(identity);
-    std::vector<Tensor<1, dim>> dual(n);
-    if (n > 0)
-      {
-        FullMatrix<double> inverse(n, n);
-        for (unsigned int i = 0; i < n; ++i)
-          for (unsigned int j = 0; j < n; ++j)
-            inverse(i, j) = side[i].direction * side[j].direction;
-        inverse.gauss_jordan();
-        P = 0.;
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            for (unsigned int j = 0; j < n; ++j)
-              dual[i] += inverse(j, i) * side[j].direction;
-            P += outer_product(dual[i], side[i].direction);
-          }
-      }
+    const auto          &side  = corner.nearest.side;
+    const auto          &duals = corner.nearest.duals; // G (G^T G)^-1
+    const Tensor<2, dim> identity(unit_symmetric_tensor<dim>());
+    Tensor<2, dim>       P;
+    for (unsigned int i = 0; i < side.size(); ++i)
+      P += outer_product(duals[i], side[i].direction);
+    if (side.empty())
+      P = identity;
 
     const Tensor<2, dim>          D_t = P * unit_vector_derivative(corner.v);
     const OppositeDerivative<dim> derivative(
@@ -338,18 +331,14 @@ namespace stickslip
       }
 
     const Tensor<1, dim> t = corner.v / corner.v.norm();
-    for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int i = 0; i < side.size(); ++i)
       {
-        const auto            &around = node.faces[side[i].around];
-        const MortarFace<dim> &slave  = faces[around.face];
-        const auto             D_g =
-          outward_normal_derivative(slave.face,
-                                    slave.positions,
-                                    shape.at_node(around.displacement));
+        const auto &around = node.faces[side[i].around];
+        const auto  D_g    = generator_derivative(shape, node, faces, side[i]);
         for (unsigned int k = 0; k < around.stencil.size(); ++k)
           D_normal[around.stencil[k]] +=
-            corner.nearest.shares[i] * (identity - P) * D_g[k] +
-            outer_product(dual[i], (t - corner.nearest.M) * D_g[k]);
+            (duals[i] * t) * (identity - P) * D_g[k] +
+            outer_product(duals[i], (t - corner.nearest.M) * D_g[k]);
       }
   }
 

@@ -17,11 +17,11 @@ namespace stickslip
    * face's normal.
    *
    * t must not jump from facet to facet of the master. It is normal to the
-   * plane that fits what is opposite the faces around the node, near the node:
-   * to S_d, the integrals of (xi_d - mean of xi_d) (x_m - mean of x_m) over
-   * the segments with the square of the node's shape function as weight. They
-   * are continuous in the configuration, as x_m is in xi, and on a plane
-   * master t is its normal.
+   * plane that fits what is opposite the faces around the node: to S_d, the
+   * integrals of (xi_d - mean of xi_d) (x_m - mean of x_m) over the segments,
+   * with a weight that is linear, 1 at the node and 0 at the sides of the face
+   * opposite it. They are continuous in the configuration, as x_m is in xi, and
+   * on a plane master t is its normal.
    *
    * Sets n, length and the parts of the frame; false, and nothing, if the node
    * has no partner or the cone does not face it.

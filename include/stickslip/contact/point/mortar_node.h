@@ -30,6 +30,14 @@ namespace stickslip
       std::vector<unsigned int> stencil; ///< number in the stencil, per node
     };
 
+    /// A border of one of these faces where the slave surface ends: from the
+    /// node to another one of the face (2D: itself).
+    struct Border
+    {
+      unsigned int around    = 0; ///< number of the face around the node
+      unsigned int neighbour = 0; ///< among the displacement nodes of the face
+    };
+
     std::vector<Around>                  faces;
     std::vector<types::global_dof_index> dofs; ///< [stencil node * dim + c]
     /// Derivative along the direction E that carries the tangent basis (3D),
@@ -42,8 +50,9 @@ namespace stickslip
     std::optional<Tensor<1, dim - 1>> tie_offset;
     /// Onto the symmetry planes that the node lies on: its normal is in them,
     /// which the facets of one half do not know.
-    Tensor<2, dim> projection = unit_symmetric_tensor<dim>();
-    bool           is_corner  = false; ///< find_corners()
+    Tensor<2, dim>      projection = unit_symmetric_tensor<dim>();
+    bool                is_corner  = false; ///< find_corners()
+    std::vector<Border> borders;            ///< likewise
 
     unsigned int
     n_stencil_nodes() const
