@@ -29,16 +29,6 @@ namespace stickslip
 
 
 
-    template <int dim>
-    std::vector<Tensor<1, dim>>
-    undeformed(const SurfaceFace<dim> &face)
-    {
-      return {face.reference_positions.begin(),
-              face.reference_positions.begin() + face.n_nodes};
-    }
-
-
-
     /// Directions that lie closer together than this span nothing.
     constexpr double same_direction = 1e-12;
 
@@ -116,7 +106,7 @@ namespace stickslip
           {
             const SurfaceFace<dim> &face = faces[around.face].face;
             normals.push_back(unit_normal_at(
-              shape, face, around.displacement, undeformed(face)));
+              shape, face, around.displacement, face.undeformed_nodes()));
             for (const Tensor<1, dim> &other : normals)
               if (normals.back() * other < sharpest_smooth_kink)
                 node.is_corner = true;

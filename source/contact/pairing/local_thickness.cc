@@ -200,9 +200,7 @@ namespace stickslip
              const SurfaceFace<dim> &face,
              const FaceShape<dim>   &shape)
     {
-      const std::vector<Tensor<1, dim>> nodes(face.reference_positions.begin(),
-                                              face.reference_positions.begin() +
-                                                face.n_nodes);
+      const std::vector<Tensor<1, dim>> nodes  = face.undeformed_nodes();
       const FaceShapeValues<dim>       &centre = shape.at_centre();
       Ray<dim>                          ray;
       ray.face   = f;

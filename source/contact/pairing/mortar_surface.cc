@@ -139,11 +139,9 @@ namespace stickslip
     std::vector<double>              L;
     for (MortarFace<dim> &slave : faces)
       {
-        const SurfaceFace<dim> &face = slave.face;
-        slave.weighting_kind         = kind;
-        const std::vector<Tensor<1, dim>> undeformed(
-          face.reference_positions.begin(),
-          face.reference_positions.begin() + face.n_nodes);
+        const SurfaceFace<dim> &face   = slave.face;
+        slave.weighting_kind           = kind;
+        const auto          undeformed = face.undeformed_nodes();
         std::vector<double> areas;
         for (unsigned int q = 0; q < quadrature.size(); ++q)
           {

@@ -52,16 +52,6 @@ namespace stickslip
 
 
 
-    template <int dim>
-    std::vector<Tensor<1, dim>>
-    undeformed(const SurfaceFace<dim> &face)
-    {
-      return {face.reference_positions.begin(),
-              face.reference_positions.begin() + face.n_nodes};
-    }
-
-
-
     /// True if another face around the node has the border, or lies beyond it.
     template <int dim>
     bool
@@ -74,8 +64,11 @@ namespace stickslip
       const SurfaceFace<dim> &face = faces[own.face].face;
       const auto              key  = face.dofs[border.neighbour * dim];
       const Tensor<1, dim>    x    = face.reference_positions[own.displacement];
-      const Tensor<1, dim>    out  = direction_out(
-        shape, face, own.displacement, border.neighbour, undeformed(face));
+      const Tensor<1, dim>    out  = direction_out(shape,
+                                               face,
+                                               own.displacement,
+                                               border.neighbour,
+                                               face.undeformed_nodes());
       for (unsigned int b = 0; b < node.faces.size(); ++b)
         if (b != border.around)
           {
@@ -84,7 +77,7 @@ namespace stickslip
               if (other.dofs[k * dim] == key)
                 return true;
             const Tensor<1, dim> there =
-              centre_of(shape, undeformed(other)) - x;
+              centre_of(shape, other.undeformed_nodes()) - x;
             if (there * out > beyond_border * there.norm())
               return true;
           }

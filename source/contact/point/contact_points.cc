@@ -44,9 +44,8 @@ namespace stickslip
       for (const auto &entry : faces)
         for (unsigned int j = 0; j < entry.face.n_nodes; ++j)
           {
-            std::vector<Tensor<1, dim>> nodes(
-              entry.face.reference_positions.begin(),
-              entry.face.reference_positions.begin() + entry.face.n_nodes);
+            const std::vector<Tensor<1, dim>> nodes =
+              entry.face.undeformed_nodes();
             const auto a =
               surface_tangents<dim>(displacement_shape.at_node(j).gradient,
                                     nodes);

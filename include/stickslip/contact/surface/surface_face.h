@@ -98,6 +98,14 @@ namespace stickslip
       return reference_positions.size();
     }
 
+    /// The undeformed places of the face's own nodes.
+    std::vector<Tensor<1, dim>>
+    undeformed_nodes() const
+    {
+      return {reference_positions.begin(),
+              reference_positions.begin() + n_nodes};
+    }
+
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
