@@ -23,8 +23,8 @@ namespace stickslip
                       generator,
                       "Name of a mesh generator, for instance hyper_rectangle: "
                       "deal.II's GridGenerator functions and our own "
-                      "graded_hyper_rectangle and annular_sector. Give this or "
-                      "Mesh file.");
+                      "graded_hyper_rectangle, annular_sector and "
+                      "graded_annular_sector. Give this or Mesh file.");
     prm.add_parameter(
       "Arguments",
       arguments,
@@ -36,7 +36,9 @@ namespace stickslip
       "0 |2| 5 |10, 0.2| 40 : 0 |4| 10. annular_sector: inner radius : outer "
       "radius : first angle : last angle (degrees) : radial cells : angular "
       "cells, and in 3D : length : axial cells; its boundary ids are 0 inner "
-      "arc, 1 outer arc, 2 first angle, 3 last angle, 4 and 5 the ends in z.");
+      "arc, 1 outer arc, 2 first angle, 3 last angle, 4 and 5 the ends in z. "
+      "graded_annular_sector takes lists of positions of radius, angle and z: "
+      "10 |6, 4| 40 : 0 |48| 360 : 0 |2| 10.");
     prm.add_parameter("Mesh file",
                       mesh_file,
                       "A mesh of quadrilaterals or triangles (2D), of "

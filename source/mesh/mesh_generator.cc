@@ -49,6 +49,7 @@ namespace stickslip
       {"eccentric_hyper_shell", 0, {{"inner centre", "", ""}, {"outer centre", "", ""}, inner_radius, outer_radius, {"number of cells", "", ""}}, false},
       {"enclosed_hyper_cube", 0, {left, right, {"thickness", "1", "1"}, colorize}, false},
       {"general_cell", 0, {{"vertices (points separated by ';')", "", ""}, colorize}, false},
+      {"graded_annular_sector", 0, {{"radial positions", "", ""}, {"angular positions", "", ""}, {"z positions", "none", ""}}, true},
       {"graded_hyper_rectangle", 0, {{"x positions", "", ""}, {"y positions", "", ""}, {"z positions", "none", ""}}, true},
       {"half_hyper_ball", 0, {centre, radius}, false},
       {"half_hyper_shell", 0, {centre, inner_radius, outer_radius, n_cells, colorize}, false},
@@ -172,42 +173,60 @@ namespace stickslip
 
 
 
+    std::vector<double>
+    equal_parts(const double begin, const double length, const int n_parts)
+    {
+      std::vector<double> positions;
+      for (int i = 0; i <= n_parts; ++i)
+        positions.push_back(begin + length * i / n_parts);
+      return positions;
+    }
+
+
+
+    AnnularSector
+    equally_divided_sector(const std::vector<std::string> &values,
+                           const std::string              &path)
+    {
+      const double inner     = Utilities::string_to_double(values[0]);
+      const double outer     = Utilities::string_to_double(values[1]);
+      const double first     = Utilities::string_to_double(values[2]);
+      const double last      = Utilities::string_to_double(values[3]);
+      const int    n_radial  = Utilities::string_to_int(values[4]);
+      const int    n_angular = Utilities::string_to_int(values[5]);
+      const double length    = Utilities::string_to_double(values[6]);
+      const int    n_axial   = Utilities::string_to_int(values[7]);
+
+      if (n_radial < 1 || n_angular < 1 || n_axial < 1)
+        throw UserError(path + ": numbers of cells start at 1.");
+      if (!(length > 0.))
+        throw UserError(path + ": the length must be positive.");
+      return {equal_parts(inner, outer - inner, n_radial),
+              equal_parts(first, last - first, n_angular),
+              equal_parts(0., length, n_axial)};
+    }
+
+
+
     template <int dim>
     void
-    generate_annular_sector(const std::vector<std::string> &values,
-                            const std::string              &path,
-                            Triangulation<dim>             &triangulation)
+    check_and_make(const AnnularSector &sector,
+                   const std::string   &path,
+                   Triangulation<dim>  &triangulation)
     {
-      AnnularSector sector;
-      sector.inner_radius = Utilities::string_to_double(values[0]);
-      sector.outer_radius = Utilities::string_to_double(values[1]);
-      sector.first_angle  = Utilities::string_to_double(values[2]);
-      sector.last_angle   = Utilities::string_to_double(values[3]);
-      const int n_radial  = Utilities::string_to_int(values[4]);
-      const int n_angular = Utilities::string_to_int(values[5]);
-      sector.length       = Utilities::string_to_double(values[6]);
-      const int n_axial   = Utilities::string_to_int(values[7]);
-
-      const double range = sector.last_angle - sector.first_angle;
-      if (!(sector.inner_radius > 0. &&
-            sector.outer_radius > sector.inner_radius))
+      if (!(sector.radii.front() > 0. &&
+            sector.radii.back() > sector.radii.front()))
         throw UserError(path + ": needs 0 < inner radius < outer radius.");
+      const double range = sector.angles.back() - sector.angles.front();
       if (!(range > 0. && range < 360. + 1e-9))
         throw UserError(path +
                         ": needs first angle < last angle, at most 360 "
                         "degrees apart.");
-      if (n_radial < 1 || n_angular < 1 || n_axial < 1)
-        throw UserError(path + ": numbers of cells start at 1.");
-      if (range / n_angular > 120. + 1e-9)
-        throw UserError(path +
-                        ": a cell may cover at most 120 degrees; give "
-                        "more angular cells.");
-      if (!(sector.length > 0.))
-        throw UserError(path + ": the length must be positive.");
-
-      sector.n_radial  = n_radial;
-      sector.n_angular = n_angular;
-      sector.n_axial   = n_axial;
+      for (unsigned int j = 1; j < sector.angles.size(); ++j)
+        if (sector.angles[j] - sector.angles[j - 1] > 120. + 1e-9)
+          throw UserError(path +
+                          ": a cell may cover at most 120 degrees; give "
+                          "more angular cells.");
       make_annular_sector(sector, triangulation);
     }
 
@@ -221,13 +240,22 @@ namespace stickslip
                  Triangulation<dim>             &triangulation)
     {
       if (name == "annular_sector")
-        return generate_annular_sector(values, path, triangulation);
+        return check_and_make(equally_divided_sector(values, path),
+                              path,
+                              triangulation);
 
+      if (dim == 2 && values[2] != "none")
+        throw UserError(path + ": z positions exist only in 3D.");
       std::array<std::vector<double>, dim> positions;
       for (unsigned int d = 0; d < dim; ++d)
         positions[d] = subdivided_line(values[d], path);
-      if (dim == 2 && values[2] != "none")
-        throw UserError(path + ": z positions exist only in 3D.");
+      if (name == "graded_annular_sector")
+        {
+          AnnularSector sector{positions[0], positions[1], {}};
+          if constexpr (dim == 3)
+            sector.heights = positions[2];
+          return check_and_make(sector, path, triangulation);
+        }
       make_graded_hyper_rectangle<dim>(positions, triangulation);
     }
 

@@ -36,37 +36,33 @@ namespace stickslip
   make_annular_sector(const AnnularSector &sector,
                       Triangulation<dim>  &triangulation)
   {
-    constexpr double   degree = numbers::PI / 180.;
-    const double       range  = sector.last_angle - sector.first_angle;
-    const bool         closed = std::abs(range - 360.) < 1e-9;
-    const unsigned int n_angles =
-      closed ? sector.n_angular : sector.n_angular + 1;
-    const unsigned int n_radii  = sector.n_radial + 1;
-    const unsigned int n_layers = (dim == 3 ? sector.n_axial + 1 : 1);
+    constexpr double degree = numbers::PI / 180.;
+    const double     range  = sector.angles.back() - sector.angles.front();
+    const bool       closed = std::abs(range - 360.) < 1e-9;
+
+    const unsigned int n_angular = sector.angles.size() - 1;
+    const unsigned int n_angles  = closed ? n_angular : n_angular + 1;
+    const unsigned int n_radii   = sector.radii.size();
+    const unsigned int n_layers  = (dim == 3 ? sector.heights.size() : 1);
 
     // Vertices: radius runs fastest, then the angle, then the axis.
     std::vector<Point<dim>> vertices;
     for (unsigned int k = 0; k < n_layers; ++k)
       for (unsigned int j = 0; j < n_angles; ++j)
-        for (unsigned int i = 0; i < n_radii; ++i)
+        for (const double radius : sector.radii)
           {
-            const double angle =
-              degree * (sector.first_angle + range * j / sector.n_angular);
-            const double radius =
-              sector.inner_radius +
-              (sector.outer_radius - sector.inner_radius) * i / sector.n_radial;
             Point<dim> vertex;
-            vertex[0] = radius * std::cos(angle);
-            vertex[1] = radius * std::sin(angle);
+            vertex[0] = radius * std::cos(degree * sector.angles[j]);
+            vertex[1] = radius * std::sin(degree * sector.angles[j]);
             if (dim == 3)
-              vertex[dim - 1] = sector.length * k / sector.n_axial;
+              vertex[dim - 1] = sector.heights[k];
             vertices.push_back(vertex);
           }
 
     std::vector<CellData<dim>> cells;
-    for (unsigned int k = 0; k < (dim == 3 ? sector.n_axial : 1); ++k)
-      for (unsigned int j = 0; j < sector.n_angular; ++j)
-        for (unsigned int i = 0; i < sector.n_radial; ++i)
+    for (unsigned int k = 0; k < (dim == 3 ? n_layers - 1 : 1); ++k)
+      for (unsigned int j = 0; j < n_angular; ++j)
+        for (unsigned int i = 0; i + 1 < n_radii; ++i)
           {
             CellData<dim> cell;
             for (unsigned int v = 0; v < cell.vertices.size(); ++v)

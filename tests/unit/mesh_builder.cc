@@ -236,16 +236,19 @@ main(int argc, char **argv)
                       {"half_hyper_shell", "0, 0 : 1 : 2 : 0 : true"},
                       {"quarter_hyper_ball", "0, 0 : 3"},
                       {"annular_sector", "1 : 2 : 0 : 360 : 2 : 12"},
+                      {"graded_annular_sector", "1 |2, 3| 5 : 0 |12| 360"},
                       {"hyper_cube_slit", "0 : 1 : true"},
                       {"concentric_hyper_shells", ""}});
-  test_generators<3>({{"cylinder", "1 : 2"},
-                      {"cylinder_shell", "3 : 1 : 2 : 6 : 2"},
-                      {"half_hyper_ball", ""},
-                      {"quarter_hyper_ball", ""},
-                      {"hyper_ball_balanced", ""},
-                      {"half_hyper_shell", "0, 0, 0 : 1 : 2 : 0 : true"},
-                      {"quarter_hyper_shell", "0, 0, 0 : 1 : 2 : 3 : true"},
-                      {"torus", "2 : 0.5"}});
+  test_generators<3>(
+    {{"cylinder", "1 : 2"},
+     {"graded_annular_sector", "1 |2, 3| 5 : 0 |6| 90, 180 : -1 |2| 0 |1| 3"},
+     {"cylinder_shell", "3 : 1 : 2 : 6 : 2"},
+     {"half_hyper_ball", ""},
+     {"quarter_hyper_ball", ""},
+     {"hyper_ball_balanced", ""},
+     {"half_hyper_shell", "0, 0, 0 : 1 : 2 : 0 : true"},
+     {"quarter_hyper_shell", "0, 0, 0 : 1 : 2 : 3 : true"},
+     {"torus", "2 : 0.5"}});
   test_joining();
   test_periodicity("p4est");
   test_periodicity("METIS");

@@ -235,6 +235,7 @@ namespace
     show_error<2>(
       {{"a", generated("graded_hyper_rectangle", "0 |2| 1 : 2, 1")}});
     show_error<2>({{"a", generated("annular_sector", "1:2:0:360:1:2")}});
+    show_error<2>({{"a", generated("graded_annular_sector", "0, 2:0 |4| 90")}});
     show_error<2>({{"a", with(&BodyParameters::coordinates, "x")}});
     show_error<2>({{"a", with(&BodyParameters::coordinates, "x; y + q")}});
     show_error<2>({{"a", with(&BodyParameters::coordinates, "-x; y")}});

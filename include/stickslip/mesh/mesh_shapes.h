@@ -21,24 +21,19 @@ namespace stickslip
     const std::array<std::vector<double>, dim> &positions,
     Triangulation<dim>                         &triangulation);
 
-  /// Dimensions of an annular sector; angles in degrees from the x axis.
+  /// Division positions (increasing, at least two) of an annular sector.
   struct AnnularSector
   {
-    double       inner_radius;
-    double       outer_radius;
-    double       first_angle;
-    double       last_angle;
-    unsigned int n_radial;
-    unsigned int n_angular;
-    double       length  = 1.; ///< 3D: extruded from z = 0 to z = length
-    unsigned int n_axial = 1;
+    std::vector<double> radii;
+    std::vector<double> angles;  ///< in degrees from the x axis
+    std::vector<double> heights; ///< along z; not used in 2D
   };
 
   /**
    * Part of a ring (2D) or of a pipe's wall (3D, axis z), around the origin.
    * Boundary ids: 0 inner, 1 outer, 2 at the first angle, 3 at the last angle
-   * (neither if the ring is closed), 4 at z = 0, 5 at z = length. All cells
-   * have manifold 0: spherical in 2D, cylindrical in 3D.
+   * (neither if the ring is closed), 4 at the first height, 5 at the last one.
+   * All cells have manifold 0: spherical in 2D, cylindrical in 3D.
    */
   template <int dim>
   void
