@@ -174,14 +174,21 @@ namespace stickslip
   {
     if (pair.mortar)
       {
+        // the most expensive part of a tangent, and most nodes are open
+        const bool differentiate =
+          linearize_geometry &&
+          needs_mortar_derivative(
+            point,
+            state.response,
+            pair.slave_faces[point.geometry.slave_face].face.diameter);
         MortarDerivative<dim> derivative;
-        if (linearize_geometry)
+        if (differentiate)
           pair.mortar->differentiate(point.geometry.mortar_node,
                                      *pair.patch,
                                      derivative);
         local_tangent(this->mortar_element_of(pair, point),
                       state,
-                      linearize_geometry ? &derivative : nullptr,
+                      differentiate ? &derivative : nullptr,
                       local);
         keep_undetermined_Lambda(
           point, state, {1.}, pair.n_multiplier_components(), local);

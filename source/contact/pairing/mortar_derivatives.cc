@@ -3,6 +3,7 @@
 #include <stickslip/contact/pairing/corner_normals.h>
 #include <stickslip/contact/pairing/partner_motion.h>
 
+#include <algorithm>
 #include <map>
 
 namespace stickslip
@@ -91,7 +92,11 @@ namespace stickslip
 
     std::vector<double>       L, N, N_master, motion;
     std::vector<unsigned int> columns(2 * n * dim);
-    const auto                add = [&](const unsigned int  row,
+    // factors of the motion: on the slave's nodes, on those of each master
+    std::vector<double>              of_slave(n);
+    std::vector<std::vector<double>> of_master(rows.size(),
+                                               std::vector<double>(n));
+    const auto                       add = [&](const unsigned int  row,
                          const double        factor,
                          FullMatrix<double> &matrix) {
       for (unsigned int k = 0; k < columns.size(); ++k)
@@ -112,35 +117,41 @@ namespace stickslip
               columns[(n + k) * dim + c] =
                 (n_slave + rows[end.master][k]) * dim + c;
             }
-        const double psi = combination(integrals.weighting, l, L);
+        const double psi     = combination(integrals.weighting, l, L);
+        double       of_area = psi;
+        for (auto &factors : of_master)
+          std::fill(factors.begin(), factors.end(), 0.);
         for (unsigned int k = 0; k < n; ++k)
           {
-            add(around.stencil[k], psi * N[k], derivative.D_D);
-            add(rows[end.master][k], psi * N_master[k], derivative.D_M);
+            of_slave[k]              = psi * N[k];
+            of_master[end.master][k] = psi * N_master[k];
           }
-        for (unsigned int k = 0; k < columns.size(); ++k)
-          derivative.D_area[columns[k]] += psi * motion[k];
-        if (slave.weighting_kind != WeightingFunctions::dual)
-          continue;
-
-        // the functions stay dual on the part that has a master:
+        // dual functions stay dual on the part that has a master:
         // D psi_l = sum_m y_m psi_m, y_m from the derivative of D M^-1
-        for (unsigned int m = 0; m < L.size(); ++m)
-          {
-            if (slave.missing.is_missing[m])
-              continue;
-            const double phi = combination(slave.extended, m, L);
-            const double y =
-              ((m == l ? phi : 0.) - psi * phi) / integrals.area[m];
-            for (unsigned int k = 0; k < n; ++k)
-              add(around.stencil[k], y * integrals.D(m, k), derivative.D_D);
-            for (unsigned int i = 0; i < rows.size(); ++i)
+        if (slave.weighting_kind == WeightingFunctions::dual)
+          for (unsigned int m = 0; m < L.size(); ++m)
+            {
+              if (slave.missing.is_missing[m])
+                continue;
+              const double phi = combination(slave.extended, m, L);
+              const double y =
+                ((m == l ? phi : 0.) - psi * phi) / integrals.area[m];
+              of_area += y * integrals.area[m];
               for (unsigned int k = 0; k < n; ++k)
-                add(rows[i][k], y * integrals.M[i](m, k), derivative.D_M);
-            for (unsigned int k = 0; k < columns.size(); ++k)
-              derivative.D_area[columns[k]] +=
-                y * integrals.area[m] * motion[k];
-          }
+                of_slave[k] += y * integrals.D(m, k);
+              for (unsigned int i = 0; i < rows.size(); ++i)
+                for (unsigned int k = 0; k < n; ++k)
+                  of_master[i][k] += y * integrals.M[i](m, k);
+            }
+
+        for (unsigned int k = 0; k < n; ++k)
+          add(around.stencil[k], of_slave[k], derivative.D_D);
+        for (unsigned int i = 0; i < rows.size(); ++i)
+          for (unsigned int k = 0; k < n; ++k)
+            if (of_master[i][k] != 0.)
+              add(rows[i][k], of_master[i][k], derivative.D_M);
+        for (unsigned int k = 0; k < columns.size(); ++k)
+          derivative.D_area[columns[k]] += of_area * motion[k];
       }
   }
 

@@ -1,6 +1,7 @@
 #include <stickslip/contact/point/mortar_element.h>
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace stickslip
@@ -293,6 +294,35 @@ namespace stickslip
 
 
   template <int dim>
+  bool
+  needs_mortar_derivative(const ContactPoint<dim>    &point,
+                          const ContactResponse<dim> &response,
+                          const double                diameter)
+  {
+    using G                     = GeneralizedCoordinates<dim>;
+    constexpr double negligible = 1e-8;
+    if (response.traction.norm_square() > 0. ||
+        std::abs(response.row_lambda) > negligible * diameter ||
+        response.row_Lambda.norm() > negligible * point.scales.open_row)
+      return true;
+    const auto depends = [](const typename ContactResponse<dim>::Row &row) {
+      for (const unsigned int first : {G::W, G::motion, G::M, G::E})
+        for (unsigned int i = 0; i < dim; ++i)
+          if (row[first + i] != 0.)
+            return true;
+      return false;
+    };
+    bool needs = depends(response.D_row_lambda);
+    for (const auto &row : response.D_traction)
+      needs = needs || depends(row);
+    for (const auto &row : response.D_row_Lambda)
+      needs = needs || depends(row);
+    return needs;
+  }
+
+
+
+  template <int dim>
   void
   local_tangent(const MortarElement<dim>     &element,
                 const ContactEvaluation<dim> &state,
@@ -349,6 +379,9 @@ namespace stickslip
   template void local_residual(const MortarElement<dim> &,             \
                                const ContactEvaluation<dim> &,         \
                                Vector<double> &);                      \
+  template bool needs_mortar_derivative(const ContactPoint<dim> &,     \
+                                        const ContactResponse<dim> &,  \
+                                        const double);                 \
   template void local_tangent(const MortarElement<dim> &,              \
                               const ContactEvaluation<dim> &,          \
                               const MortarDerivative<dim> *,           \

@@ -62,6 +62,18 @@ namespace stickslip
                  const ContactEvaluation<dim> &state,
                  Vector<double>               &local);
 
+  /**
+   * Whether the derivative of the averages enters local_tangent(): at an open
+   * node, which has no traction, only while its multipliers still have to
+   * vanish by more than 1e-8 of what the law counts in (@p diameter of the
+   * slave face for lambda_n / r_n, 1 for Lambda).
+   */
+  template <int dim>
+  bool
+  needs_mortar_derivative(const ContactPoint<dim>    &point,
+                          const ContactResponse<dim> &response,
+                          const double                diameter);
+
   /// Derivative of local_residual(). @p derivative is nullptr where the
   /// geometry is not linearized. @p local must be zero and of size n_dofs().
   template <int dim>
