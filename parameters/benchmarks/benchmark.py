@@ -34,6 +34,9 @@ from stickslip import Table
 from stickslip.running import Usage, command_of, environment, measure, variables_of
 
 
+INTERRUPTED = 5  # exit code of a run that saves its state because its time is up
+
+
 def read_csv(path):
     """Columns of a CSV file with a header: {name: list}; numbers where possible."""
     return Table.read(path).lists()
@@ -50,6 +53,7 @@ class Result:
         self.peak_mebibytes = usage.peak_mebibytes  # of the largest rank
         self.exit_code = usage.exit_code
         self.is_out_of_time = usage.is_out_of_time
+        self.is_interrupted = usage.exit_code == INTERRUPTED  # its state is saved
 
     @property
     def converged(self):
@@ -97,12 +101,13 @@ class Benchmark:
             raise SystemExit(f"The program {self.program} is missing; call scripts/bench {name}, which builds it.")
 
     # ---------------------------------------------------------------- running
-    def run(self, parameter_file, label, overrides=None, ranks=None, may_fail=False, timeout=None, variables=None):
+    def run(self, parameter_file, label, overrides=None, ranks=None, may_fail=False, timeout=None, variables=None, goes_on=False):
         """
         Runs PARAMETER_FILE (of the benchmark's directory) into OUTPUT/label with
         overrides {"Section/Name": value}. A run that fails ends the benchmark,
         unless may_fail: then the caller looks at result.converged. `variables` are
-        added to the environment.
+        added to the environment. `goes_on`: a run that an earlier call has begun with
+        the same input is continued from its checkpoint.
         """
         directory = self.output / label
         log = directory / "log.txt"
@@ -118,14 +123,26 @@ class Benchmark:
             cpu_seconds, peak_mebibytes = map(float, spent.read_text().split())
             return Result(directory, log.read_text(), Usage(0, 0.0, cpu_seconds, peak_mebibytes))
 
-        shutil.rmtree(directory, ignore_errors=True)
-        directory.mkdir(parents=True)
+        # Another program may continue a run, and other output or a later end do not matter.
+        begun = directory / ".begun"
+        case = inputs[1].read_text() + "".join(f"\n{name}={value}" for name, value in (overrides or {}).items()
+                                               if not name.startswith(("Output/", "Load stepping/")))
+        earlier = (0.0, 0.0)
+        if goes_on and (directory / "checkpoint.latest").exists() and begun.exists() and begun.read_text() == case:
+            command += ["--restart", "latest"]
+            if spent.exists():
+                earlier = tuple(map(float, spent.read_text().split()))
+        else:
+            shutil.rmtree(directory, ignore_errors=True)
+            directory.mkdir(parents=True)
+            begun.write_text(case)
         usage = measure(command, log, self.directory, {**variables_of(ranks), **(variables or {})}, timeout)
+        usage = usage._replace(cpu_seconds=usage.cpu_seconds + earlier[0], peak_mebibytes=max(usage.peak_mebibytes, earlier[1]))
         spent.write_text(f"{usage.cpu_seconds} {usage.peak_mebibytes}")
         solved = usage.exit_code == 0
         if solved:
             stamp.write_text(fingerprint)
-        print(f"  {label}: {'solved' if solved else 'failed'} in {usage.seconds:.1f} s "
+        print(f"  {label}: {'solved' if solved else 'interrupted' if usage.exit_code == INTERRUPTED else 'failed'} in {usage.seconds:.1f} s "
               f"({usage.cpu_seconds:.1f} s of user CPU, {usage.peak_mebibytes:.0f} MiB)", flush=True)
         if not solved and not may_fail:
             sys.stdout.write("".join(f"    {line}\n" for line in log.read_text().split("\n")[-15:]))
