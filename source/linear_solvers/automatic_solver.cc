@@ -18,7 +18,38 @@ namespace stickslip
         return Utilities::string_to_int(text);
       return n_components < 3 ? 150000 : 6000;
     }
+
+    constexpr unsigned int            n_slow_solves       = 3; // in a row
+    constexpr types::global_dof_index largest_slow_system = 50000;
+
+    /// Krylov iterations that cost more than MUMPS: an iteration is
+    /// proportional to the size, a factorisation to its square. Measured: 36
+    /// iterations with 25,000 unknowns; a larger number leaves bulky bodies,
+    /// whose factors are larger, to the iteration.
+    double
+    worthwhile_iterations(const types::global_dof_index size)
+    {
+      return 60. * (size / 25000.);
+    }
   } // namespace
+
+
+
+  void
+  SlowIteration::record(const unsigned int            iterations,
+                        const types::global_dof_index size)
+  {
+    if (n_slow < n_slow_solves)
+      n_slow = iterations > worthwhile_iterations(size) ? n_slow + 1 : 0;
+  }
+
+
+
+  bool
+  SlowIteration::prefers_direct(const types::global_dof_index size) const
+  {
+    return n_slow >= n_slow_solves && size <= largest_slow_system;
+  }
 
 
 
@@ -33,11 +64,13 @@ namespace stickslip
   AutomaticSolver::setup(const LA::BlockSparseMatrix &system,
                          const SystemDescriber       &describer)
   {
-    matrix   = &system;
-    describe = describer;
-    failure  = "";
-    is_direct =
-      system.m() <= largest_direct_system(parameters.largest_direct_system, 3);
+    matrix    = &system;
+    describe  = describer;
+    failure   = "";
+    is_direct = system.m() <=
+                  largest_direct_system(parameters.largest_direct_system, 3) ||
+                (parameters.largest_direct_system == "automatic" &&
+                 slow_iteration.prefers_direct(system.m()));
     if (!is_direct &&
         system.m() <=
           largest_direct_system(parameters.largest_direct_system, 2))
@@ -71,7 +104,9 @@ namespace stickslip
     if (failure.empty())
       try
         {
-          return iterative.solve(x, b, sufficient);
+          const LinearSolve result = iterative.solve(x, b, sufficient);
+          slow_iteration.record(result.iterations, matrix->m());
+          return result;
         }
       catch (const NoConvergence &error)
         {

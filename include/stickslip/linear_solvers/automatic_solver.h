@@ -9,9 +9,30 @@
 namespace stickslip
 {
   /**
+   * Whether MUMPS is faster for systems in space that are small enough to be
+   * factorised: after three solves in a row that took more Krylov iterations
+   * than a factorisation is worth (thin walls of long cells), for the rest of
+   * the run. Counts decide, not times, so that a run can be repeated.
+   */
+  class SlowIteration
+  {
+  public:
+    void
+    record(const unsigned int iterations, const types::global_dof_index size);
+
+    bool
+    prefers_direct(const types::global_dof_index size) const;
+
+  private:
+    unsigned int n_slow = 0; ///< in a row
+  };
+
+
+
+  /**
    * MUMPS for systems that it solves faster, block AMG for larger ones; and
-   * MUMPS again where the iteration fails, so that a step is not given up for
-   * the solver's sake.
+   * MUMPS again where the iteration is slow (SlowIteration) or fails, so that a
+   * step is not given up for the solver's sake.
    */
   class AutomaticSolver : public LinearSolver
   {
@@ -35,6 +56,7 @@ namespace stickslip
     SystemDescriber              describe;
     bool                         is_direct = true;
     std::string                  failure; ///< of the iterative set-up
+    SlowIteration                slow_iteration;
   };
 } // namespace stickslip
 
