@@ -127,8 +127,8 @@ namespace stickslip
     prm.add_parameter(
       "Rigid",
       is_rigid,
-      "A rigid body: all its displacements are prescribed, zero "
-      "unless a boundary condition moves it.");
+      "A rigid body: it stays where it is unless a condition of the type "
+      "'rigid motion' moves it.");
   }
 
 

@@ -71,7 +71,7 @@ namespace stickslip
                                                       *contact_assembler,
                                                       communicator);
     system_description = std::make_unique<SystemDescription<dim>>(
-      dofs, mesh.bodies, *contact_assembler, communicator);
+      dofs, mesh.bodies, boundary_conditions, *contact_assembler, communicator);
 
     const auto configure_contact = [this](const LA::BlockVector &x,
                                           const bool             may_fetch) {
@@ -106,6 +106,7 @@ namespace stickslip
         pair->mortar->find_symmetry_planes(supports);
     contact_start = look_at_contact(*contact_assembler, dofs);
     x_old         = zero_state();
+    unbalanced    = x_old.block(0);
     solid_assembler->stabilization().set_start(u_old);
   }
 
@@ -281,6 +282,9 @@ namespace stickslip
     forces_of_contact = contact.block(0);
     unbalanced        = forces;
     unbalanced -= external.block(0);
+    LA::Vector imbalance = unbalanced;
+    imbalance -= constraints->driving_forces(time, true);
+    external.block(0) += constraints->driving_forces(time, false);
 
     if (std::isnan(external.block(0).l2_norm()))
       throw UserError(
@@ -288,7 +292,7 @@ namespace stickslip
         "conditions') is not a number at time " +
         std::to_string(time) + ".");
     ResidualNorms norms = residual_norms(
-      {unbalanced, external.block(0), contact.block(1), row_scale, row_force},
+      {imbalance, external.block(0), contact.block(1), row_scale, row_force},
       constraints->increment(),
       force_floor,
       communicator);
@@ -315,6 +319,8 @@ namespace stickslip
     configure(x, contact_assembler->live.geometry);
     constraints->update(time, x.block(0));
     Timer timer;
+    if (constraints->has_new_masters())
+      sparsity->invalidate();
     if (sparsity->update(constraints->increment(), system_matrix))
       {
         rhs = zero_state();
@@ -328,6 +334,7 @@ namespace stickslip
                                  constraints->increment(),
                                  system_matrix.block(0, 0),
                                  rhs.block(0));
+    constraints->add_driving_terms(time, unbalanced, system_matrix, rhs);
     counts.assembly_seconds += timer.wall_time();
     timer.restart();
     contact_assembler->add_tangent(constraints->increment(),

@@ -1,11 +1,16 @@
 #include <stickslip/problem/problem_constraints.h>
 
+#include <stickslip/base/user_error.h>
+
+#include <stickslip/solid/displacement_constraints.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <deal.II/dofs/dof_tools.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace stickslip
 {
@@ -49,9 +54,78 @@ namespace stickslip
         const unsigned int master =
           bodies.index_of(pair->parameters.master_body,
                           "Contact/" + pair->name + "/Master body");
-        master_is_rigid.push_back(bodies.bodies[master].is_rigid);
+        master_is_rigid.push_back(
+          bodies.bodies[master].is_rigid &&
+          !boundary_conditions.drives_rigid_body(master));
       }
     rigid_dofs = dofs_of_rigid_bodies(dofs, bodies);
+    find_couplings(bodies);
+  }
+
+
+
+  template <int dim>
+  void
+  ProblemConstraints<dim>::find_couplings(const Bodies &bodies)
+  {
+    const auto points = boundary_conditions.reference_points();
+    if (points.empty())
+      return;
+    auto conditions = boundary_conditions.prescribed_displacements();
+    for (auto &condition : conditions)
+      condition.active = ActiveInterval();
+    std::string error;
+    const auto  nodes = find_held_nodes(
+      dofs.mapping, dofs.dof_handler, bodies, conditions, 0., error);
+    throw_collectively(error, communicator);
+
+    Constraints geometric = geometric_lines_seen();
+    geometric.close();
+    for (const unsigned int c : points)
+      {
+        std::vector<HeldNode<dim>> of_point;
+        for (const auto &[first_dof, node] : nodes)
+          if (node.coupling == c)
+            of_point.push_back(node);
+        rigid_couplings.emplace_back(
+          boundary_conditions.prescribed_displacements()[c],
+          of_point,
+          geometric,
+          communicator);
+      }
+  }
+
+
+
+  template <int dim>
+  IndexSet
+  ProblemConstraints<dim>::with_masters(IndexSet displacements) const
+  {
+    for (const auto &coupling : rigid_couplings)
+      displacements.add_indices(coupling.masters().begin(),
+                                coupling.masters().end());
+    displacements.compress();
+    return displacements;
+  }
+
+
+
+  template <int dim>
+  void
+  ProblemConstraints<dim>::add_displacement_lines(
+    const double                           time,
+    const LA::Vector                      &displacement,
+    const std::vector<RigidCoupling<dim>> &couplings,
+    Constraints                           &lines) const
+  {
+    boundary_conditions.add_prescribed_displacements(
+      dofs.mapping, dofs.dof_handler, time, displacement, lines);
+    for (const auto &coupling : couplings)
+      if (coupling.is_active(time))
+        add_lines_on_all_ranks(coupling.lines(displacement),
+                               dofs.owned,
+                               communicator,
+                               lines);
   }
 
 
@@ -116,7 +190,7 @@ namespace stickslip
   {
     Constraints closed(seen);
     closed.close();
-    const IndexSet needed = contact.needed_displacements();
+    const IndexSet needed = with_masters(contact.needed_displacements());
     Constraints    known(needed);
     copy_lines(closed, known);
     known.make_consistent_in_parallel(dofs.owned, needed, communicator);
@@ -130,7 +204,7 @@ namespace stickslip
   Constraints
   ProblemConstraints<dim>::geometric_lines_seen() const
   {
-    Constraints lines(dofs.relevant);
+    Constraints lines(with_masters(dofs.relevant));
     DoFTools::make_hanging_node_constraints(dofs.dof_handler, lines);
     boundary_conditions.add_periodicity(dofs.dof_handler, lines);
     return lines;
@@ -161,9 +235,12 @@ namespace stickslip
     const double      time,
     const LA::Vector &displacement) const
   {
-    Constraints lines = geometric_lines_seen();
-    boundary_conditions.add_prescribed_displacements(
-      dofs.mapping, dofs.dof_handler, time, displacement, lines);
+    Constraints lines     = geometric_lines_seen();
+    auto        couplings = rigid_couplings; // of this state
+    for (auto &coupling : couplings)
+      if (coupling.is_active(time))
+        coupling.update(time, displacement, false);
+    add_displacement_lines(time, displacement, couplings, lines);
     lines.close();
     return largest_inhomogeneity(lines, displacement);
   }
@@ -183,6 +260,69 @@ namespace stickslip
       if (lines.is_inhomogeneously_constrained(i))
         displacement(i) += lines.get_inhomogeneity(i);
     displacement.compress(VectorOperation::add);
+    make_rigid(time, displacement);
+    for (const auto &coupling : rigid_couplings)
+      if (boundary_conditions.drives_rigid_body(coupling.condition().body))
+        coupling.place(time, displacement);
+  }
+
+
+
+  template <int dim>
+  void
+  ProblemConstraints<dim>::make_rigid(const double time,
+                                      LA::Vector  &displacement) const
+  {
+    for (const auto &coupling : rigid_couplings)
+      if (coupling.is_active(time))
+        coupling.make_rigid(displacement);
+  }
+
+
+
+  template <int dim>
+  LA::Vector
+  ProblemConstraints<dim>::driving_forces(const double time,
+                                          const bool   with_springs) const
+  {
+    LA::Vector driving_forces(dofs.owned, communicator);
+    for (const auto &coupling : rigid_couplings)
+      if (coupling.is_active(time))
+        coupling.add_driving_forces(time, with_springs, driving_forces);
+    driving_forces.compress(VectorOperation::add);
+    return driving_forces;
+  }
+
+
+
+  template <int dim>
+  void
+  ProblemConstraints<dim>::add_driving_terms(const double           time,
+                                             const LA::Vector      &unbalanced,
+                                             LA::BlockSparseMatrix &matrix,
+                                             LA::BlockVector       &rhs) const
+  {
+    for (const auto &coupling : rigid_couplings)
+      if (coupling.is_active(time))
+        {
+          coupling.add_tangent(time, unbalanced, matrix.block(0, 0));
+          coupling.add_driving_forces(time, true, rhs.block(0));
+        }
+  }
+
+
+
+  template <int dim>
+  std::vector<std::pair<std::string, RigidReaction<dim>>>
+  ProblemConstraints<dim>::reference_points(const double      time,
+                                            const LA::Vector &displacement,
+                                            const LA::Vector &unbalanced) const
+  {
+    std::vector<std::pair<std::string, RigidReaction<dim>>> result;
+    for (const auto &coupling : rigid_couplings)
+      result.emplace_back(coupling.condition().name,
+                          coupling.reaction(time, displacement, unbalanced));
+    return result;
   }
 
 
@@ -195,8 +335,16 @@ namespace stickslip
   {
     if (is_up_to_date)
       return;
+    bool rigidity_changes = false;
+    for (auto &coupling : rigid_couplings)
+      if (coupling.is_active(time))
+        {
+          rigidity_changes = true;
+          if (coupling.update(time, displacement, is_accepted))
+            masters_are_new = true;
+        }
     const auto    &multipliers = contact.multipliers();
-    const IndexSet needed      = contact.needed_displacements();
+    const IndexSet needed      = with_masters(contact.needed_displacements());
 
     Constraints    displacement_lines = geometric_lines_seen();
     const IndexSet local =
@@ -204,8 +352,10 @@ namespace stickslip
     geometric_lines.reinit(local);
     copy_lines(known_where_needed(displacement_lines), geometric_lines);
 
-    boundary_conditions.add_prescribed_displacements(
-      dofs.mapping, dofs.dof_handler, time, displacement, displacement_lines);
+    add_displacement_lines(time,
+                           displacement,
+                           rigid_couplings,
+                           displacement_lines);
     increment_lines.reinit(local);
     copy_lines(known_where_needed(displacement_lines), increment_lines);
     constrain_multipliers(increment_lines);
@@ -215,7 +365,7 @@ namespace stickslip
 
     unapplied = largest_inhomogeneity(increment_lines, displacement);
     // Newton may yet go back behind a state that it has not accepted.
-    is_up_to_date = is_accepted && unapplied == 0.;
+    is_up_to_date = is_accepted && unapplied == 0. && !rigidity_changes;
   }
 
   template class ProblemConstraints<2>;

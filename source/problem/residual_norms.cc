@@ -19,10 +19,11 @@ namespace stickslip
 
 
 
-    /// What a node that is held along an oblique direction passes on: the
-    /// component that is held depends on the others, so that their rows get
-    /// its share of the reaction. They belong to the same rank.
-    std::map<types::global_dof_index, double>
+    /// What a node that is held along an oblique direction, or that follows a
+    /// reference point, passes on: the component that is held depends on
+    /// others, maybe of another rank, so that their rows get its share of the
+    /// reaction. Collective.
+    LA::Vector
     forces_passed_on(const LA::Vector &unbalanced, const Constraints &increment)
     {
       std::map<types::global_dof_index, double> passed;
@@ -31,7 +32,12 @@ namespace stickslip
           for (const auto &[j, weight] : *entries)
             if (unbalanced(i) != 0.)
               passed[j] += weight * unbalanced(i);
-      return passed;
+      LA::Vector result(unbalanced.locally_owned_elements(),
+                        unbalanced.get_mpi_communicator());
+      for (const auto &[j, force] : passed)
+        result(j) += force;
+      result.compress(VectorOperation::add);
+      return result;
     }
 
 
@@ -41,13 +47,11 @@ namespace stickslip
                const Constraints   &increment,
                Squares             &squares)
     {
-      const auto passed = forces_passed_on(parts.unbalanced, increment);
+      const LA::Vector passed = forces_passed_on(parts.unbalanced, increment);
       for (const auto i : parts.unbalanced.locally_owned_elements())
         {
-          const auto   from = passed.find(i);
-          const double r    = parts.unbalanced(i) +
-                           (from == passed.end() ? 0. : from->second),
-                       load = parts.loads(i);
+          const double r    = parts.unbalanced(i) + passed(i);
+          const double load = parts.loads(i);
           (increment.is_constrained(i) ? squares.reactions
                                        : squares.imbalance) += r * r;
           squares.loads += load * load;

@@ -10,7 +10,8 @@ namespace stickslip
   template <int dim>
   std::vector<unsigned int>
   colour_bodies(const Bodies                                         &bodies,
-                const std::vector<std::unique_ptr<ContactPair<dim>>> &pairs)
+                const std::vector<std::unique_ptr<ContactPair<dim>>> &pairs,
+                const std::vector<bool>                              &driven)
   {
     std::vector<std::set<unsigned int>> neighbours(bodies.n_bodies());
     for (const auto &pair : pairs)
@@ -31,7 +32,7 @@ namespace stickslip
     std::vector<unsigned int> colours(bodies.n_bodies(),
                                       numbers::invalid_unsigned_int);
     for (unsigned int b = 0; b < bodies.n_bodies(); ++b)
-      if (!bodies.bodies[b].is_rigid)
+      if (!bodies.bodies[b].is_rigid || (!driven.empty() && driven[b]))
         {
           std::set<unsigned int> taken;
           for (const unsigned int other : neighbours[b])
@@ -111,13 +112,15 @@ namespace stickslip
     return space;
   }
 
-#define INSTANTIATE(dim)                                                     \
-  template std::vector<unsigned int> colour_bodies(                          \
-    const Bodies &, const std::vector<std::unique_ptr<ContactPair<dim>>> &); \
-  template NearNullSpace rigid_modes(const Mapping<dim> &,                   \
-                                     const DoFHandler<dim> &,                \
-                                     const Constraints &,                    \
-                                     const Bodies &,                         \
+#define INSTANTIATE(dim)                                      \
+  template std::vector<unsigned int> colour_bodies(           \
+    const Bodies &,                                           \
+    const std::vector<std::unique_ptr<ContactPair<dim>>> &,   \
+    const std::vector<bool> &);                               \
+  template NearNullSpace rigid_modes(const Mapping<dim> &,    \
+                                     const DoFHandler<dim> &, \
+                                     const Constraints &,     \
+                                     const Bodies &,          \
                                      const std::vector<unsigned int> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -13,16 +13,20 @@
 namespace stickslip
 {
   template <int dim>
-  SystemDescription<dim>::SystemDescription(const DofLayout<dim>  &dofs,
-                                            const Bodies          &bodies,
-                                            ContactAssembler<dim> &contact,
-                                            const MPI_Comm        &communicator)
+  SystemDescription<dim>::SystemDescription(
+    const DofLayout<dim>          &dofs,
+    const Bodies                  &bodies,
+    const BoundaryConditions<dim> &boundary_conditions,
+    ContactAssembler<dim>         &contact,
+    const MPI_Comm                &communicator)
     : dofs(dofs)
     , bodies(bodies)
     , contact(contact)
     , communicator(communicator)
   {
     description.n_components = dim;
+    for (unsigned int b = 0; b < bodies.n_bodies(); ++b)
+      driven.push_back(boundary_conditions.drives_rigid_body(b));
   }
 
 
@@ -84,7 +88,7 @@ namespace stickslip
                       is_linear ? dofs.dof_handler : linear_space->handler(),
                       is_linear ? constraints : linear_space->constraints(),
                       bodies,
-                      colour_bodies(bodies, contact.contact_pairs())));
+                      colour_bodies(bodies, contact.contact_pairs(), driven)));
       }
     update_scales(constraints);
     return description;

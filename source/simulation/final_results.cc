@@ -105,6 +105,10 @@ namespace stickslip
     for (unsigned int p = 0; p < resultants.size(); ++p)
       for (const NamedResultant &resultant : resultants[p].named_values())
         results.add_of_pair(parameters.contact_pairs[p].first, resultant);
+    for (const auto &[name, reaction] : problem.reference_points())
+      for (const auto &result : reaction.named_values())
+        if (result.quantity != "moment") // which is a matter of equilibrium
+          results.add(name, name + "." + result.name, result.value);
     return results;
   }
 

@@ -24,11 +24,10 @@ namespace stickslip
 
   template <int dim>
   void
-  ForceTables::write(
-    const unsigned int                                         step,
-    const double                                               time,
-    const std::vector<ContactResultants<dim>>                 &resultants,
-    const std::vector<std::pair<std::string, Tensor<1, dim>>> &reactions)
+  ForceTables::write(const unsigned int                         step,
+                     const double                               time,
+                     const std::vector<ContactResultants<dim>> &resultants,
+                     const ContactProblem<dim>                 &problem)
   {
     if (!resultants.empty())
       {
@@ -40,6 +39,7 @@ namespace stickslip
                                 resultant.value);
         resultant_table.finish_row();
       }
+    const auto reactions = problem.reactions();
     if (!reactions.empty())
       {
         reaction_table.add("step", step);
@@ -47,6 +47,9 @@ namespace stickslip
         for (const auto &[name, force] : reactions)
           for (unsigned int d = 0; d < dim; ++d)
             reaction_table.add(name + ".force_" + "xyz"[d], force[d]);
+        for (const auto &[name, reaction] : problem.reference_points())
+          for (const auto &result : reaction.named_values())
+            reaction_table.add(name + "." + result.name, result.value);
         reaction_table.finish_row();
       }
   }
@@ -55,10 +58,10 @@ namespace stickslip
   ForceTables::write(const unsigned int,
                      const double,
                      const std::vector<ContactResultants<2>> &,
-                     const std::vector<std::pair<std::string, Tensor<1, 2>>> &);
+                     const ContactProblem<2> &);
   template void
   ForceTables::write(const unsigned int,
                      const double,
                      const std::vector<ContactResultants<3>> &,
-                     const std::vector<std::pair<std::string, Tensor<1, 3>>> &);
+                     const ContactProblem<3> &);
 } // namespace stickslip

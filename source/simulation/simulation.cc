@@ -205,7 +205,7 @@ namespace stickslip
     force_tables.write(steps().step_number(),
                        steps().time(),
                        resultants,
-                       problem.reactions());
+                       problem);
     write_results(faces);
     if (steps().step_number() == 1)
       check_quantities(parameters.checks, result_tables, communicator);

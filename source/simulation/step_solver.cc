@@ -45,6 +45,7 @@ namespace stickslip
       limit(LA::BlockVector &x) const override
       {
         shorten_friction_multipliers(problem.contact(), x.block(1));
+        problem.make_rigid(x.block(0));
       }
 
       NewtonIteration

@@ -57,7 +57,8 @@ namespace stickslip
       type,
       all_boundary_condition_types(),
       "What is prescribed. 'displacement': Value. 'symmetry': no displacement "
-      "normal to the plane boundary. 'rigid motion': Translation and Rotation. "
+      "normal to the plane boundary. 'rigid motion': Translation and Rotation "
+      "angle, or Force and Torque where these are free. "
       "'traction': force per reference area, Value. 'pressure': along the "
       "reference normal per reference area, Value. 'follower pressure': along "
       "the current normal per current area, Value. 'spring': force per "
@@ -91,12 +92,37 @@ namespace stickslip
                       Patterns::Double(0.));
     prm.add_parameter("Translation",
                       translation,
-                      "Of a rigid motion: expressions of t, separated by ';'. "
-                      "Empty: none.",
+                      "Of a rigid motion: expressions of t, separated by ';', "
+                      "of the displacement of Rotation centre; 'free' where it "
+                      "is a result. Empty: none.",
                       Patterns::Anything());
     prm.add_parameter("Rotation angle",
                       rotation_angle,
-                      "Of a rigid motion: expression of t, in degrees.",
+                      "Of a rigid motion: expression of t, in degrees, or "
+                      "'free', about Rotation axis; in 3D also three of them, "
+                      "separated by ';': the components of the rotation vector "
+                      "along x, y, z.",
+                      Patterns::Anything());
+    prm.add_parameter("Force",
+                      force,
+                      "Of a rigid motion with free components of Translation: "
+                      "the force at Rotation centre, expressions of t, "
+                      "separated by ';'. Empty: none.",
+                      Patterns::Anything());
+    prm.add_parameter("Torque",
+                      torque,
+                      "Of a rigid motion with free components of Rotation "
+                      "angle: as many expressions of t. Empty: none.",
+                      Patterns::Anything());
+    prm.add_parameter("Translation stiffness",
+                      translation_stiffness,
+                      "Of a rigid motion: springs along free components, "
+                      "numbers (force per displacement) separated by ';'.",
+                      Patterns::Anything());
+    prm.add_parameter("Rotation stiffness",
+                      rotation_stiffness,
+                      "Of a rigid motion: springs against free rotations, as "
+                      "many numbers (torque per radian) as Rotation angle.",
                       Patterns::Anything());
     prm.add_parameter("Rotation axis",
                       rotation_axis,
@@ -106,8 +132,9 @@ namespace stickslip
     prm.add_parameter("Rotation centre",
                       rotation_centre,
                       "Of a rigid motion and of cylindrical components: a "
-                      "point on the axis in the reference configuration. "
-                      "Empty: the origin.",
+                      "point on the axis in the reference configuration, for a "
+                      "rigid motion the point that Translation and Force "
+                      "refer to. Empty: the origin.",
                       Patterns::Anything());
     prm.add_parameter("Second boundary",
                       second_boundary,
@@ -115,8 +142,8 @@ namespace stickslip
     prm.add_parameter("Amplitude",
                       amplitude,
                       "Name of a section of Amplitudes: a factor over the load "
-                      "time, by which Value, or Translation and Rotation "
-                      "angle, are multiplied.",
+                      "time, by which Value, or Translation, Rotation angle, "
+                      "Force and Torque are multiplied.",
                       Patterns::Anything());
     add_choice(prm,
                "Components",
@@ -178,7 +205,13 @@ namespace stickslip
       forbid(!where.empty(), "Where");
 
     if (type != BoundaryConditionType::rigid_motion)
-      forbid(!translation.empty(), "Translation");
+      {
+        forbid(!translation.empty(), "Translation");
+        forbid(!force.empty(), "Force");
+        forbid(!torque.empty(), "Torque");
+        forbid(!translation_stiffness.empty(), "Translation stiffness");
+        forbid(!rotation_stiffness.empty(), "Rotation stiffness");
+      }
 
     if (!has_value && type != BoundaryConditionType::rigid_motion)
       forbid(!amplitude.empty(), "Amplitude");

@@ -35,6 +35,7 @@ namespace stickslip
   {
     for (const auto &named : parameters)
       add_condition(named.first, named.second);
+    check_couplings_of_rigid_bodies();
     hold_idle_rigid_bodies();
   }
 
@@ -239,6 +240,55 @@ namespace stickslip
 
   template <int dim>
   void
+  BoundaryConditions<dim>::check_couplings_of_rigid_bodies() const
+  {
+    for (unsigned int b = 0; b < bodies.bodies.size(); ++b)
+      {
+        std::vector<std::string> paths;
+        for (const PrescribedDisplacement<dim> &condition : displacements)
+          if (condition.body == b)
+            paths.push_back("'" + boundary_condition_path(condition.name) +
+                            "'");
+        if (drives_rigid_body(b) && paths.size() > 1)
+          throw UserError(paths[0] + " and " + paths[1] + ": body '" +
+                          bodies.bodies[b].name +
+                          "' is rigid and has a motion with free components. "
+                          "It takes one condition.");
+      }
+  }
+
+
+
+  template <int dim>
+  bool
+  BoundaryConditions<dim>::drives_rigid_body(const unsigned int body) const
+  {
+    return bodies.bodies[body].is_rigid &&
+           std::any_of(displacements.begin(),
+                       displacements.end(),
+                       [body](const auto &condition) {
+                         return condition.body == body &&
+                                condition.is_coupling();
+                       });
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  BoundaryConditions<dim>::reference_points() const
+  {
+    std::vector<unsigned int> result;
+    for (unsigned int c = 0; c < displacements.size(); ++c)
+      if (displacements[c].is_coupling())
+        result.push_back(c);
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
   BoundaryConditions<dim>::add_prescribed_displacements(
     const Mapping<dim>    &mapping,
     const DoFHandler<dim> &dof_handler,
@@ -258,6 +308,12 @@ namespace stickslip
       {
         for (const auto &row : node.rows)
           ++n_nodes[row.condition];
+        if (node.is_coupled())
+          {
+            ++n_nodes[node.coupling];
+            check_coupled_node(node, displacements, time, error);
+            continue;
+          }
         // Hanging and periodic nodes follow others.
         if (constraints.is_constrained(first_dof))
           continue;

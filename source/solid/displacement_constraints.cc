@@ -41,6 +41,19 @@ namespace stickslip
 
 
 
+    /// Up to which prescribed displacements are the same.
+    template <int dim>
+    double
+    tolerance_of_values(const HeldNode<dim> &node)
+    {
+      double largest_value = 0.;
+      for (const auto &row : node.rows)
+        largest_value = std::max(largest_value, std::abs(row.value));
+      return 1e-8 * largest_value + 1e-10 * node.cell_diameter;
+    }
+
+
+
     template <int dim>
     std::string
     contradiction_text(
@@ -80,10 +93,7 @@ namespace stickslip
                     const std::vector<PrescribedDisplacement<dim>> &conditions,
                     std::string                                    &error)
   {
-    double largest_value = 0.;
-    for (const auto &row : node.rows)
-      largest_value = std::max(largest_value, std::abs(row.value));
-    const double tolerance = 1e-8 * largest_value + 1e-10 * node.cell_diameter;
+    const double tolerance = tolerance_of_values(node);
 
     // Gauss-Jordan elimination, at most dim rows survive.
     std::vector<PivotRow<dim>> rows;
@@ -129,6 +139,77 @@ namespace stickslip
         lines.push_back(line);
       }
     return lines;
+  }
+
+
+
+  namespace
+  {
+    /// True if no free component of @p motion moves what is at @p arm along
+    /// @p direction, however far it goes.
+    template <int dim>
+    bool
+    never_moves_along(const RigidMotion<dim> &motion,
+                      const Tensor<1, dim>   &arm,
+                      const Tensor<1, dim>   &direction)
+    {
+      const auto   in_space     = RigidState<dim>().current_arm(direction);
+      const auto   arm_in_space = RigidState<dim>().current_arm(arm);
+      const double roundoff     = 1e-8 * arm.norm();
+      for (unsigned int c = 0; c < motion.n_components; ++c)
+        if (motion.is_free(c))
+          {
+            if (c < dim)
+              {
+                if (std::abs(direction[c]) > 1e-8)
+                  return false;
+                continue;
+              }
+            const Tensor<1, 3> &axis    = motion.rotation_axis(c);
+            const auto          tangent = cross_product_3d(axis, arm_in_space);
+            if (tangent.norm() > roundoff &&
+                cross_product_3d(axis, in_space).norm() > 1e-8)
+              return false;
+          }
+      return true;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  check_coupled_node(const HeldNode<dim>                            &node,
+                     const std::vector<PrescribedDisplacement<dim>> &conditions,
+                     const double                                    time,
+                     std::string                                    &error)
+  {
+    const PrescribedDisplacement<dim> &coupling = conditions[node.coupling];
+    const Tensor<1, dim> u = coupling.motion.displacement(node.position, time);
+    const double         tolerance = tolerance_of_values(node);
+    for (const auto &row : node.rows)
+      {
+        const bool is_free_of =
+          never_moves_along(coupling.motion,
+                            Tensor<1, dim>(node.position -
+                                           coupling.motion.reference_point()),
+                            row.direction);
+        if ((is_free_of &&
+             std::abs(u * row.direction - row.value) <= tolerance) ||
+            !error.empty())
+          continue;
+        std::ostringstream text;
+        text << "Boundary conditions/" << conditions[row.condition].name
+             << " prescribes a displacement of " << row.value
+             << " along the direction (" << row.direction << ") at the node ("
+             << node.position << "), which Boundary conditions/"
+             << coupling.name
+             << (is_free_of ? " moves otherwise."
+                            : " leaves free to move there: hold this component "
+                              "of its motion, or leave the node out with "
+                              "'Where'.");
+        error = text.str();
+      }
   }
 
 
@@ -192,6 +273,16 @@ namespace stickslip
 
 
 
+  template void
+  check_coupled_node(const HeldNode<2> &,
+                     const std::vector<PrescribedDisplacement<2>> &,
+                     const double,
+                     std::string &);
+  template void
+  check_coupled_node(const HeldNode<3> &,
+                     const std::vector<PrescribedDisplacement<3>> &,
+                     const double,
+                     std::string &);
   template std::vector<ConstraintLine>
   resolve_held_node(const HeldNode<2> &,
                     const Tensor<1, 2> &,

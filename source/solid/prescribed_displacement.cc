@@ -270,7 +270,17 @@ namespace stickslip
           return; // seen from a neighbouring cell
 
       const PrescribedDisplacement<dim> &prescribed = conditions[condition];
-      const bool                         is_rigid_motion =
+      if (prescribed.is_coupling())
+        {
+          if (node.is_coupled() && node.coupling != condition)
+            report(condition,
+                   node.position,
+                   "Boundary conditions/" + conditions[node.coupling].name +
+                     " couples the same node with another point");
+          node.coupling = condition;
+          return;
+        }
+      const bool is_rigid_motion =
         prescribed.type == BoundaryConditionType::rigid_motion;
       const Tensor<1, dim> displacement =
         is_rigid_motion ? prescribed.motion.displacement(node.position, time)

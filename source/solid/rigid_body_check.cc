@@ -98,6 +98,25 @@ namespace stickslip
 
 
 
+    /// A reference point holds what it does not leave free, and what its
+    /// springs hold. Its whole boundary is one rigid body.
+    template <int dim>
+    void
+    hold_by_reference_point(const RigidMotion<dim> &motion,
+                            RigidBodyModes<dim>    &modes)
+    {
+      for (unsigned int c = 0; c < motion.n_components; ++c)
+        if (!motion.is_free(c) || motion.stiffness(c) > 0.)
+          {
+            if (c < dim)
+              modes.hold(motion.reference_point(), Point<dim>::unit_vector(c));
+            else
+              modes.hold_rotation(motion.rotation_axis(c));
+          }
+    }
+
+
+
     /// What the conditions hold of the motions of each group.
     template <int dim>
     std::vector<RigidBodyModes<dim>>
@@ -128,6 +147,15 @@ namespace stickslip
           modes[group_of_body[node.second.body]].hold(node.second.position,
                                                       row.direction);
       throw_collectively(error, communicator);
+
+      // the same on all ranks, and only its being zero counts
+      for (const unsigned int c : conditions.reference_points())
+        {
+          const auto &condition = conditions.prescribed_displacements()[c];
+          if (condition.active.contains(0.))
+            hold_by_reference_point(condition.motion,
+                                    modes[group_of_body[condition.body]]);
+        }
 
       for (const Load<dim> &load : conditions.loads())
         if (load.type == BoundaryConditionType::spring)
@@ -165,7 +193,7 @@ namespace stickslip
       conditions, bodies, mapping, dof_handler, alone, softest_spring);
     std::vector<FreeMotion> motions;
     for (unsigned int b = 0; b < bodies.n_bodies(); ++b)
-      if (!bodies.bodies[b].is_rigid)
+      if (!bodies.bodies[b].is_rigid || conditions.drives_rigid_body(b))
         for (const std::string &motion : modes[b].unheld())
           motions.push_back({bodies.bodies[b].name, motion});
     return motions;
@@ -192,7 +220,8 @@ namespace stickslip
           if (group_of_body[b] == g)
             {
               names.push_back(bodies.bodies[b].name);
-              is_held = is_held || bodies.bodies[b].is_rigid;
+              is_held = is_held || (bodies.bodies[b].is_rigid &&
+                                    !conditions.drives_rigid_body(b));
             }
         if (!is_held)
           for (const std::string &motion : modes[g].unheld())

@@ -151,6 +151,18 @@ namespace stickslip
 
   template <int dim>
   void
+  RigidBodyModes<dim>::hold_rotation(const Tensor<1, 3> &axis)
+  {
+    Vector<double> row(n_modes);
+    for (unsigned int r = 0; r < n_rotations; ++r)
+      row(dim + r) = axis[dim == 2 ? 2 : r];
+    add_row(row);
+  }
+
+
+
+  template <int dim>
+  void
   RigidBodyModes<dim>::tie(const Tensor<1, dim> &offset)
   {
     for (unsigned int d = 0; d < dim; ++d)

@@ -182,12 +182,12 @@ namespace stickslip
       if (cell->is_locally_owned() && !is_only_linear(cell))
         {
           if (is_rigid(cell))
-            set_rigid_cell(cell);
-          else
             {
-              evaluate_cell(cell, u, time, true);
-              element.copy_stiffness(stiffness);
+              add_rigid_cell(cell, constraints, matrix);
+              continue;
             }
+          evaluate_cell(cell, u, time, true);
+          element.copy_stiffness(stiffness);
           minus_residual = element.external;
           minus_residual -= element.internal;
           constraints.distribute_local_to_global(
@@ -289,18 +289,19 @@ namespace stickslip
 
   template <int dim>
   void
-  SolidAssembler<dim>::set_rigid_cell(const CellIterator &cell)
+  SolidAssembler<dim>::add_rigid_cell(const CellIterator &cell,
+                                      const Constraints  &constraints,
+                                      LA::SparseMatrix   &matrix)
   {
-    // All degrees of freedom are prescribed; the matrix needs a diagonal of
-    // the size of its neighbours: modulus x length^(dim - 2).
+    // All displacements are prescribed, or depend on the few that stand for
+    // the motion of the body; the matrix needs a diagonal of the size of its
+    // neighbours: modulus x length^(dim - 2).
     cell->get_dof_indices(dof_indices);
-    element.internal     = 0.;
-    element.external     = 0.;
     const double modulus = largest_modulus > 0. ? largest_modulus : 1.;
     const double entry   = modulus * std::pow(cell->diameter(), dim - 2);
-    stiffness            = 0.;
-    for (unsigned int i = 0; i < dof_indices.size(); ++i)
-      stiffness(i, i) = entry;
+    for (const auto i : dof_indices)
+      if (constraints.is_constrained(i))
+        matrix.add(i, i, entry);
   }
 
 

@@ -28,6 +28,12 @@ namespace stickslip
         Tensor<1, dim> force;
         for (unsigned int d = 0; d < dim; ++d)
           force[d] = unbalanced(node.dofs[d]);
+        if (node.is_coupled())
+          {
+            for (unsigned int d = 0; d < dim; ++d)
+              sums[dim * node.coupling + d] += force[d];
+            continue;
+          }
         std::vector<Tensor<1, dim>> held; // orthonormal
         for (const auto &row : node.rows)
           {

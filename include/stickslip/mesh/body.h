@@ -16,7 +16,7 @@ namespace stickslip
   struct Body
   {
     std::string name;
-    bool        is_rigid = false; ///< all its displacements are prescribed
+    bool        is_rigid = false; ///< moves as a whole, or not at all
     /// The body's own ids, only those with faces.
     std::set<types::boundary_id> boundary_ids;
     /// What the user may call them.

@@ -111,6 +111,13 @@ namespace stickslip
       constraints->place_rigid_bodies(time, displacement);
     }
 
+    /// See ProblemConstraints::make_rigid().
+    void
+    make_rigid(LA::Vector &displacement) const
+    {
+      constraints->make_rigid(time, displacement);
+    }
+
     /// Internal plus contact forces of the last residual: at equilibrium the
     /// loads and the reactions.
     const LA::Vector &
@@ -138,6 +145,16 @@ namespace stickslip
                             mesh.bodies,
                             time,
                             unbalanced);
+    }
+
+    /// Moments at the reference points of rigid motions with free components,
+    /// and where these are, in the last evaluated state. Collective.
+    std::vector<std::pair<std::string, RigidReaction<dim>>>
+    reference_points() const
+    {
+      return constraints->reference_points(time,
+                                           configured_x.block(0),
+                                           unbalanced);
     }
 
     /// Assembles matrix and right hand side of the increment at @p x.
@@ -280,10 +297,11 @@ namespace stickslip
     LA::Vector      u, u_old, lambda; ///< ghosted
     LA::Vector      forces;           ///< internal plus contact
     LA::Vector      forces_of_contact;
-    LA::Vector      unbalanced;          ///< forces minus loads
-    double          extent         = 0.; ///< of the model
-    double          force_floor    = 0.;
-    double          softest_spring = 0.; ///< whose effect is above roundoff
+    /// Forces minus loads, except those that drive reference points.
+    LA::Vector unbalanced;
+    double     extent         = 0.; ///< of the model
+    double     force_floor    = 0.;
+    double     softest_spring = 0.; ///< whose effect is above roundoff
 
     // what the last configure() was for
     bool            is_configured = false;

@@ -8,7 +8,10 @@
 #include <stickslip/problem/dof_layout.h>
 
 #include <stickslip/solid/boundary_conditions.h>
+#include <stickslip/solid/rigid_coupling.h>
 
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace stickslip
@@ -67,9 +70,45 @@ namespace stickslip
                               const LA::Vector &displacement) const;
 
     /// Moves the rigid bodies to where they are prescribed to be at @p time, in
-    /// @p displacement (not ghosted). Collective.
+    /// @p displacement (not ghosted), and makes what follows a reference point
+    /// rigid. Collective.
     void
     place_rigid_bodies(const double time, LA::Vector &displacement) const;
+
+    /// Puts the nodes that follow a reference point to where a rigid body has
+    /// them that is closest: increments are linear, rotations are not.
+    /// Collective.
+    void
+    make_rigid(const double time, LA::Vector &displacement) const;
+
+    /// True once after an update that has changed where increment() leads: the
+    /// sparsity is another one.
+    bool
+    has_new_masters()
+    {
+      return std::exchange(masters_are_new, false);
+    }
+
+    /// Forces that drive reference points in the state of the last update(), as
+    /// forces on the nodes that stand for them; @p with_springs at the points.
+    /// Collective.
+    LA::Vector
+    driving_forces(const double time, const bool with_springs) const;
+
+    /// Adds these forces to the right hand side of an increment, and what
+    /// RigidCoupling::add_tangent() says to the matrix, not compressed.
+    /// @p unbalanced is what they leave. Collective.
+    void
+    add_driving_terms(const double           time,
+                      const LA::Vector      &unbalanced,
+                      LA::BlockSparseMatrix &matrix,
+                      LA::BlockVector       &rhs) const;
+
+    /// Moments and motions of the reference points, by condition. Collective.
+    std::vector<std::pair<std::string, RigidReaction<dim>>>
+    reference_points(const double      time,
+                     const LA::Vector &displacement,
+                     const LA::Vector &unbalanced) const;
 
     /// As of the last update().
     double
@@ -88,8 +127,26 @@ namespace stickslip
 
     Constraints geometric_lines;
     Constraints increment_lines;
-    double      unapplied     = 0.;
-    bool        is_up_to_date = false;
+    double      unapplied       = 0.;
+    bool        is_up_to_date   = false;
+    bool        masters_are_new = false;
+
+    std::vector<RigidCoupling<dim>> rigid_couplings;
+
+    void
+    find_couplings(const Bodies &bodies);
+
+    /// With the masters of the couplings, whose lines the ranks need.
+    IndexSet
+    with_masters(IndexSet dofs) const;
+
+    /// Adds the lines of the increment of @p displacement, as far as this rank
+    /// sees them, to geometric ones. Collective.
+    void
+    add_displacement_lines(const double                           time,
+                           const LA::Vector                      &displacement,
+                           const std::vector<RigidCoupling<dim>> &couplings,
+                           Constraints                           &lines) const;
 
     /// Hanging nodes and periodicity, as this rank sees them.
     Constraints

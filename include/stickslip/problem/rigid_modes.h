@@ -20,12 +20,14 @@ namespace stickslip
    * A colour for each body, different for deformable bodies that touch: bodies
    * of one colour can share the vectors of a near null space, because no row
    * of a matrix sees both. The smallest colour is 0. Rigid bodies have none
-   * (numbers::invalid_unsigned_int).
+   * (numbers::invalid_unsigned_int) unless they are @p driven, which is by body
+   * (empty: none): the displacements that stand for their motion are unknowns.
    */
   template <int dim>
   std::vector<unsigned int>
   colour_bodies(const Bodies                                         &bodies,
-                const std::vector<std::unique_ptr<ContactPair<dim>>> &pairs);
+                const std::vector<std::unique_ptr<ContactPair<dim>>> &pairs,
+                const std::vector<bool> &driven = {});
 
   /**
    * Nodal vectors of @p dof_handler (FE_Q^dim): the rigid motions of all

@@ -48,8 +48,9 @@ namespace stickslip
 
 
 
-  /// The named points and the resultants of the contact pairs in the present
-  /// configuration. Collective.
+  /// The named points, the resultants of the contact pairs and the motions of
+  /// reference points with free components in the present configuration.
+  /// Collective.
   template <int dim>
   FinalResults
   final_results(const CaseParameters   &parameters,

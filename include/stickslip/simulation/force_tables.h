@@ -4,10 +4,11 @@
 #include <stickslip/output/contact_resultants.h>
 #include <stickslip/output/statistics_table.h>
 
+#include <stickslip/problem/contact_problem.h>
+
 #include <stickslip/simulation/case_parameters.h>
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace stickslip
@@ -23,13 +24,15 @@ namespace stickslip
     void
     resume(const double time);
 
-    /// A row of each table; a table without columns is not written.
+    /// A row of each table; a table without columns is not written. The
+    /// reactions are those of the last evaluated state of @p problem; what
+    /// reference points do follows them.
     template <int dim>
     void
-    write(const unsigned int                                         step,
-          const double                                               time,
-          const std::vector<ContactResultants<dim>>                 &resultants,
-          const std::vector<std::pair<std::string, Tensor<1, dim>>> &reactions);
+    write(const unsigned int                         step,
+          const double                               time,
+          const std::vector<ContactResultants<dim>> &resultants,
+          const ContactProblem<dim>                 &problem);
 
     const StatisticsTable &
     resultants() const

@@ -56,6 +56,8 @@ namespace stickslip
     std::string              rotation_angle  = "0";
     std::string              rotation_axis   = "z";
     std::string              rotation_centre = "";
+    std::string              force, torque;
+    std::string              translation_stiffness, rotation_stiffness;
     std::vector<std::string> second_boundary;
     std::string              amplitude;
     VectorComponents         components = VectorComponents::cartesian;

@@ -56,7 +56,8 @@ namespace stickslip
      * prescribed displacements that act at this time; bodies marked rigid that
      * no rigid motion names are held in place. @p u holds the current displacements and needs the
      * locally owned entries. Degrees of freedom that are constrained already
-     * (hanging nodes, periodicity) keep their lines. All lines of
+     * (hanging nodes, periodicity) keep their lines. Nodes that follow a
+     * reference point are left to RigidCoupling. All lines of
      * constraints.get_local_lines() are filled, so ranks agree, also on
      * degrees of freedom of cells that they do not see.
      *
@@ -76,6 +77,15 @@ namespace stickslip
     void
     add_periodicity(const DoFHandler<dim> &dof_handler,
                     Constraints           &constraints) const;
+
+    /// Whether a rigid motion with free components moves the rigid body.
+    bool
+    drives_rigid_body(const unsigned int body) const;
+
+    /// Indices of the prescribed displacements whose nodes follow a reference
+    /// point that is not held in all components.
+    std::vector<unsigned int>
+    reference_points() const;
 
     /// Without the prescribed displacements that begin or end.
     BoundaryConditions
@@ -119,6 +129,10 @@ namespace stickslip
     void
     add_periodic_pair(const std::string                 &name,
                       const BoundaryConditionParameters &parameters);
+
+    /// A rigid body that a force moves has no other condition.
+    void
+    check_couplings_of_rigid_bodies() const;
 
     void
     hold_idle_rigid_bodies();

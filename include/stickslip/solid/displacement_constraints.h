@@ -42,6 +42,19 @@ namespace stickslip
                     std::string                                    &error);
 
   /**
+   * A node that follows a reference point and is prescribed something by other
+   * conditions, too: allowed if the free components do not move it along these
+   * directions and the others move it as prescribed at @p time. Otherwise a text
+   * naming the two of @p conditions is written to @p error.
+   */
+  template <int dim>
+  void
+  check_coupled_node(const HeldNode<dim>                            &node,
+                     const std::vector<PrescribedDisplacement<dim>> &conditions,
+                     const double                                    time,
+                     std::string                                    &error);
+
+  /**
    * Adds @p lines, one rank's lines of its locally owned degrees of freedom,
    * and asks the owners for those of the other local lines of @p constraints.
    * Lines that exist stay as they are. Collective.

@@ -49,10 +49,19 @@ namespace stickslip
 
     /// Of the components of a displacement, if not Cartesian.
     std::optional<CylindricalFrame<dim>> frame;
+
+    /// A rigid motion some of whose components are free: its nodes follow a
+    /// reference point (RigidCoupling).
+    bool
+    is_coupling() const
+    {
+      return motion.has_free_components();
+    }
   };
 
   /**
-   * A node whose displacement is prescribed along one or more directions.
+   * A node whose displacement is prescribed along one or more directions, or
+   * that follows a reference point.
    */
   template <int dim>
   struct HeldNode
@@ -70,6 +79,15 @@ namespace stickslip
     unsigned int                             body;
     double                                   cell_diameter;
     std::vector<Row>                         rows;
+
+    /// The condition whose reference point the node follows, or invalid.
+    unsigned int coupling = numbers::invalid_unsigned_int;
+
+    bool
+    is_coupled() const
+    {
+      return coupling != numbers::invalid_unsigned_int;
+    }
   };
 
   /**

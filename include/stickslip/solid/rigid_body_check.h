@@ -23,10 +23,11 @@ namespace stickslip
   };
 
   /**
-   * The rigid motions of the deformable bodies that no prescribed displacement,
-   * spring or periodicity prevents: translations, and rotations about the
-   * body's centre, combined with a translation if it is supported elsewhere.
-   * Contact is not considered, and springs count from the stiffness (force per
+   * The rigid motions of the bodies, rigid ones only if their motion has free
+   * components, that no prescribed displacement, spring or periodicity
+   * prevents: translations, and rotations about the body's centre, combined
+   * with a translation if it is supported elsewhere. Contact is not considered,
+   * and springs count from the stiffness (force per
    * area and length) @p softest_spring on. Collective; the same on all ranks.
    */
   template <int dim>
@@ -39,7 +40,8 @@ namespace stickslip
 
   /**
    * The same of groups of bodies that move as one: @p group_of_body gives the
-   * group's number for each body. Groups with a rigid body are held. Texts such
+   * group's number for each body. Groups with a rigid body whose motion is
+   * prescribed are held. Texts such
    * as "bodies 'a', 'b': translation along x". Collective; the same on all
    * ranks.
    */

@@ -36,6 +36,10 @@ namespace stickslip
     void
     hold(const Point<dim> &position, const Tensor<1, dim> &direction);
 
+    /// Rotations about @p axis are prevented, wherever it is.
+    void
+    hold_rotation(const Tensor<1, 3> &axis);
+
     /// Two positions with the given offset move alike.
     void
     tie(const Tensor<1, dim> &offset);

@@ -207,9 +207,11 @@ namespace stickslip
     void
     add_body_forces(const CellIterator &cell, const double time);
 
-    /// No forces, and a diagonal of the size of the stiffness elsewhere.
+    /// A diagonal of the size of the stiffness elsewhere.
     void
-    set_rigid_cell(const CellIterator &cell);
+    add_rigid_cell(const CellIterator &cell,
+                   const Constraints  &constraints,
+                   LA::SparseMatrix   &matrix);
 
     void
     record_failure(const CellIterator &cell,

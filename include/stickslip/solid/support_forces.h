@@ -19,7 +19,8 @@ namespace stickslip
    *
    * At a node that several conditions hold, each gets the part along the
    * directions that those before it leave free, so that the sum over all
-   * conditions is the whole force. Collective; the same on all ranks.
+   * conditions is the whole force. A node that follows a reference point counts
+   * for that, whatever else holds it. Collective; the same on all ranks.
    */
   template <int dim>
   std::vector<std::pair<std::string, Tensor<1, dim>>>

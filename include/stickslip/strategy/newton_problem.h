@@ -42,7 +42,8 @@ namespace stickslip
     {}
 
     /// Called with every trial state before its residual: takes back what an
-    /// increment has done beyond any use, without effect on a solution.
+    /// increment has done beyond any use, and what comes of its being linear
+    /// where the motion is not, without effect on a solution.
     virtual void
     limit(LA::BlockVector & /*x*/) const
     {}
