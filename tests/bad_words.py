@@ -51,6 +51,11 @@ def own_condition(*lines):
     return "subsection Boundary conditions\n subsection own\n set %s\n end\nend\n" % "\n set ".join(lines)
 
 
+def own_plate(*lines):
+    """The motion of the rigid plate."""
+    return "subsection Boundary conditions\n subsection load\n set %s\n end\nend\n" % "\n set ".join(lines)
+
+
 def steel(*lines):
     """The material of the plate."""
     return "subsection Materials\n subsection steel\n set %s\n end\nend\n" % "\n set ".join(lines)

@@ -20,6 +20,7 @@ SHORTER = {
     "indentation": {"Bodies/block/Arguments": "0 |9| 6 |6, 10| 40 : 0 |6, 0.1| 26 |6| 30", "Load stepping/Initial step": 0.05},
     "ironing": {"Bodies/strip/Arguments": "30, 6 : 0, 0 : 60, 12 : true", "Load stepping/Initial step": 0.1},
     "lug": {"Bodies/lug/Refinements": 2, "Bodies/pin/Refinements": 2, "Load stepping/Initial step": 0.5},
+    "machine": {"Load stepping/Initial step": 0.25},
     "pin_in_lug": {"Load stepping/Initial step": 1},
     "press_fit": {"Load stepping/Initial step": 0.25},
     "roller": {},

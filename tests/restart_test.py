@@ -67,6 +67,19 @@ def test_ties(runs):
         compare(runs, name, "tied")
 
 
+def test_reference_points(runs):
+    """A boundary that a force drives and that may tilt: where it is follows from the displacements."""
+    options = [f"Boundary conditions/drag/{text}" for text in (
+        "Type=rigid motion", "Value=", "Translation=free; free", "Rotation angle=free", "Rotation centre=1.4, 1.8",
+        "Force=0.5*max(t-1, 0); -4*min(t, 1)", "Torque=0.2*t")]
+    printed = runs.run("driven", 1, options=options + SHORT)
+    for n_ranks, other in [(2, 1), (1, 2)]:
+        name = f"driven-{n_ranks}-{other}"
+        runs.run(name, n_ranks, options=options + ["Load stepping/End time=2"])
+        check(runs.run(name, other, "latest", options + SHORT) == printed, f"{name} prints the same")
+        compare(runs, name, "driven")
+
+
 def test_algorithms(runs):
     for algorithm in ("GNM", "PNM", "FPM"):
         options = [f"Algorithm/Name={algorithm}"]
@@ -219,7 +232,7 @@ def test_refused(runs):
 
 def main():
     runs = Runs(sys.argv[1], pathlib.Path(sys.argv[2]))
-    for test in (test_partitions, test_simplices, test_ties, test_path_dependence, test_algorithms, test_fallback, test_cuts_and_growth,
+    for test in (test_partitions, test_simplices, test_ties, test_reference_points, test_path_dependence, test_algorithms, test_fallback, test_cuts_and_growth,
                  test_failed_run, test_directory, test_refused):
         test(runs)
     print(f"{len(failures)} comparisons failed")
