@@ -155,8 +155,7 @@ namespace stickslip
     if (parameters.has_segments())
       mortar = std::make_unique<MortarSurface<dim>>(displacement_shape,
                                                     multiplier_shape,
-                                                    parameters.quadrature_order,
-                                                    parameters.weighting,
+                                                    parameters,
                                                     slaves,
                                                     slave_faces,
                                                     excluded,

@@ -16,8 +16,7 @@ namespace stickslip
   MortarSurface<dim>::MortarSurface(
     const FaceShape<dim>                    &displacement_shape,
     const FaceShape<dim>                    &multiplier_shape,
-    const unsigned int                       order,
-    const WeightingFunctions                 weighting,
+    const ContactPairParameters             &parameters,
     const std::vector<CollectedFace<dim>>   &slaves,
     const std::vector<SlaveFace<dim>>       &owned_faces,
     const std::set<types::global_dof_index> &excluded,
@@ -25,13 +24,15 @@ namespace stickslip
     std::vector<ContactPoint<dim>>          &points)
     : displacement_shape(displacement_shape)
     , multiplier_shape(multiplier_shape)
-    , rule(displacement_shape, order)
+    , rule(displacement_shape, parameters.quadrature_order)
     , integrals(displacement_shape, multiplier_shape)
     , derivatives(displacement_shape, multiplier_shape)
   {
     collect_nodes(slaves, excluded, hanging, owned_faces, points);
-    set_weightings(weighting);
-    find_corners(displacement_shape, faces, nodes);
+    set_weightings(parameters.weighting);
+    // what is bonded is not pressed against anything
+    if (!parameters.is_bilateral())
+      find_corners(displacement_shape, faces, nodes);
     for (auto &point : points)
       point.geometry.weight = nodes[point.geometry.mortar_node].area;
     averages.resize(nodes.size());

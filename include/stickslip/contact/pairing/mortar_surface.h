@@ -3,6 +3,7 @@
 
 #include <stickslip/contact/pairing/mortar_derivatives.h>
 #include <stickslip/contact/pairing/mortar_pairing.h>
+#include <stickslip/contact/point/contact_parameters.h>
 #include <stickslip/contact/point/contact_points.h>
 #include <stickslip/contact/surface/hanging_nodes.h>
 #include <stickslip/contact/surface/weighting_functions.h>
@@ -34,12 +35,11 @@ namespace stickslip
      * @p slaves are all slave faces, ghosts included; @p points the contact
      * points of the nodal rule on @p owned_faces, of which one per node is
      * kept: it has the number of its node. @p hanging nodes have no point,
-     * nor have @p excluded ones. @p order as in SegmentRule. Not collective.
+     * nor have @p excluded ones. Not collective.
      */
     MortarSurface(const FaceShape<dim>                    &displacement_shape,
                   const FaceShape<dim>                    &multiplier_shape,
-                  const unsigned int                       order,
-                  const WeightingFunctions                 weighting,
+                  const ContactPairParameters             &parameters,
                   const std::vector<CollectedFace<dim>>   &slaves,
                   const std::vector<SlaveFace<dim>>       &owned_faces,
                   const std::set<types::global_dof_index> &excluded,
