@@ -1,6 +1,6 @@
 """Wrong inputs: the sections that say what is computed."""
 from bad_words import (CHECK_FALLS_SHORT, HERE, NO_CONVERGENCE, ONE_STEP, WRONG_INPUT, blocks_held, body, condition,
-                       interface, material, own_condition, own_plate, pair, plastic, regularization, section, steel)
+                       interface, material, own_condition, pair, plastic, regularization, section, steel)
 
 COARSE = body("plate", "Simplices = true", "Arguments = 0 |4| 40 : 0 |1| 1 : 0 |4| 40")
 
@@ -98,41 +98,6 @@ CASES = {
         0, ["Warning: 'Contact/base/Regularization/r_t status'"]),
     "body that nothing holds": ("unheld_block.prm", "", WRONG_INPUT, ["'block'", "translation along x"]),
     "output directory is a file": ("plate.prm", "subsection Output\n set Directory = case.prm\nend", WRONG_INPUT, ["Output/Directory", "case.prm"]),
-    "a force along a component that is held": (
-        "rigid_plate.prm", own_plate("Force = 1; -5"),
-        WRONG_INPUT, ["Boundary conditions/load/Force", "component 1", "is 1 ", "'Translation'", "'free'"]),
-    "a force on a body that is held": (
-        "rigid_plate.prm", own_plate("Translation = 0; -t"),
-        WRONG_INPUT, ["Boundary conditions/load/Force", "no component of 'Translation' is 'free'"]),
-    "a torque against a rotation that is held": (
-        "rigid_plate.prm", own_plate("Rotation angle = 0", "Torque = 3"),
-        WRONG_INPUT, ["Boundary conditions/load/Torque", "'Rotation angle'", "'free'"]),
-    "a free rotation without a point": (
-        "rigid_plate.prm", own_plate("Rotation centre ="),
-        WRONG_INPUT, ["Boundary conditions/load/Rotation centre", "free rotation", "'Force'"]),
-    "a force with too many components": (
-        "rigid_plate.prm", own_plate("Force = 0; -5; 0"),
-        WRONG_INPUT, ["Boundary conditions/load/Force", "0; -5; 0", "2 components"]),
-    "a negative spring at a point": (
-        "rigid_plate.prm", own_plate("Rotation stiffness = -1"),
-        WRONG_INPUT, ["Boundary conditions/load/Rotation stiffness", "-1", "not negative"]),
-    "a force in a pressure": (
-        "rigid_plate.prm", own_condition("Body = column", "Boundary = 1", "Type = pressure", "Value = 1", "Force = 1; 0"),
-        WRONG_INPUT, ["Boundary conditions/own/Force", "'pressure' has no use"]),
-    "two conditions on a driven rigid body": (
-        "rigid_plate.prm", own_condition("Body = plate", "Type = rigid motion"),
-        WRONG_INPUT, ["Boundary conditions/load", "Boundary conditions/own", "'plate' is rigid", "one condition"]),
-    "a rigid plate that nothing holds": (
-        "rigid_plate.prm", own_plate("Translation = free; free") + "subsection Contact\n subsection c\n set Master body = column\n"
-        " set Master boundary = 0\n end\nend\n",
-        WRONG_INPUT, ["'plate'", "translation along x", "held by no boundary condition"]),
-    "a coupled boundary that another condition holds": (
-        "rigid_plate.prm", own_condition("Body = column", "Boundary = 0", "Type = rigid motion", "Rotation angle = free", "Rotation centre = 0, 6"),
-        WRONG_INPUT, ["Boundary conditions/base", "Boundary conditions/own", "leaves free to move", "'Where'"]),
-    "a node that follows two points": (
-        "rigid_plate.prm", own_condition("Body = column", "Boundary = 0", "Type = rigid motion", "Translation = free; 0", "Where = y > 1")
-        + own_condition("Body = column", "Boundary = 3", "Type = rigid motion", "Translation = free; 0").replace("own", "other"),
-        WRONG_INPUT, ["Boundary conditions/own", "Boundary conditions/other", "another point"]),
     "unknown quantity in a check": (
         "patch_test.prm", "subsection Checks\n subsection a\n set Quantity = c.force_q\n set Expected = 1\n end\nend",
         WRONG_INPUT, ["c.force_q", "Did you mean 'c.force_"]),

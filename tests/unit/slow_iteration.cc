@@ -36,7 +36,7 @@ main()
   show("slow", {61, 61, 61}, 25000);
   show("slow now and then", {80, 80, 20, 80, 80, 20}, 25000);
   show("slow once and for all", {80, 80, 80, 20}, 25000);
-  show("smaller", {31, 31, 31}, 12500);
+  show("smaller", {60, 60, 60}, 12500);
   show("largest", {121, 121, 121}, 50000);
   show("too large", {200, 200, 200}, 50001);
 }

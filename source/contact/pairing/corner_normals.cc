@@ -98,7 +98,6 @@ namespace stickslip
                          const MasterPatch<dim>   &patch,
                          const bool                partners_move)
         : shape(shape)
-        , node(node)
         , patch(patch)
         , n_columns((node.n_stencil_nodes() + average.n_master_nodes()) * dim)
         , partners_move(partners_move)
@@ -147,7 +146,6 @@ namespace stickslip
 
     private:
       const FaceShape<dim>                           &shape;
-      const MortarNode<dim>                          &node;
       const MasterPatch<dim>                         &patch;
       const unsigned int                              n_columns;
       const bool                                      partners_move;
