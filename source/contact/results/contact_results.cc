@@ -127,7 +127,7 @@ namespace stickslip
           results[first + point.geometry.slave_face].points.push_back(
             point_result(contact, pair, point));
         if (pair.mortar)
-          add_points_of_neighbours(contact, p, &results[first]);
+          add_points_of_neighbours(contact, p, results.data() + first);
         for (std::size_t f = first; f < results.size(); ++f)
           average_Lambda(results[f]);
       }
