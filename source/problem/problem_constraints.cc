@@ -281,6 +281,17 @@ namespace stickslip
 
 
   template <int dim>
+  void
+  ProblemConstraints<dim>::make_conforming(LA::Vector &displacement) const
+  {
+    Constraints lines = geometric_lines_seen();
+    lines.close();
+    lines.distribute(displacement);
+  }
+
+
+
+  template <int dim>
   LA::Vector
   ProblemConstraints<dim>::driving_forces(const double time,
                                           const bool   with_springs) const

@@ -27,20 +27,11 @@ namespace stickslip
                            communicator,
                            parameters.slave_surfaces()))
     , automatic(parameters.add_automatic_pairs(mesh))
-    , problem(mesh,
-              parameters.degree,
-              parameters.materials,
-              parameters.boundary_conditions,
-              parameters.contact_pairs,
-              parameters.algorithm.tangent == Tangent::quasi,
-              parameters.make_amplitudes(communicator))
-    , linear_solver(create_linear_solver(parameters.linear_solver))
+    , amplitudes(parameters.make_amplitudes(communicator))
     , step_control(parameters.load_stepping,
                    fallback_sequence(parameters.algorithm.name,
                                      !parameters.contact_pairs.empty()),
                    parameters.algorithm.newton.max_iterations)
-    , x(problem.zero_state())
-    , accepted{x, x.block(0), x.block(0), x.block(0)}
     , warnings(parameters.contact_pairs, parameters.bodies)
     , field_output(parameters.output, mesh.bodies, communicator)
     , contact_output(parameters.output, communicator)
@@ -54,17 +45,27 @@ namespace stickslip
     , log(parameters.output.directory, communicator)
     , stop_requests(seconds_of_duration(parameters.output.stop_after),
                     communicator)
-    , step_solver(parameters, problem, *linear_solver, log, stop_requests)
     , progress(parameters.output.verbosity,
                0.,
                parameters.load_stepping.end_time,
                communicator)
   {
-    problem.solid().stabilization().activate(
-      parameters.load_stepping.stabilization_factor,
-      parameters.load_stepping.end_time);
-    problem.check_bodies_are_held();
-    point_values.locate(problem.layout().mapping, problem.layout().dof_handler);
+    discretize();
+    accepted = AcceptedState::zero(problem());
+    x        = accepted.x;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::discretize()
+  {
+    model.reset(); // two at a time would need twice the memory
+    model = std::make_unique<Discretization<dim>>(
+      parameters, amplitudes, mesh, log, stop_requests);
+    point_values.locate(problem().layout().mapping,
+                        problem().layout().dof_handler);
   }
 
 
@@ -111,7 +112,7 @@ namespace stickslip
     for (const auto &list : {mesh.warnings,
                              warnings_about_locking(parameters.materials,
                                                     mesh.bodies,
-                                                    problem.layout().fe),
+                                                    problem().layout().fe),
                              warnings.of_parameters()})
       for (const std::string &text : list)
         warn(text);
@@ -132,7 +133,7 @@ namespace stickslip
     control_of_accepted_state = step_control.state();
     stop_requests.check();
     step_control.begin_step();
-    step_solver.begin_step();
+    model->step_solver.begin_step();
   }
 
 
@@ -154,12 +155,12 @@ namespace stickslip
   {
     const double time = steps().next_time();
     const double size = time - steps().time();
-    problem.solid().stabilization().begin_step(size);
+    problem().solid().stabilization().begin_step(size);
     log.begin_step(steps().step_number() + 1, time, size);
     try
       {
         solved =
-          step_solver.solve(time, accepted.x, predict(), step_control, x);
+          model->step_solver.solve(time, accepted.x, predict(), step_control, x);
       }
     catch (const NoConvergence &failure)
       {
@@ -175,24 +176,12 @@ namespace stickslip
   void
   Simulation<dim>::accept_step()
   {
-    problem.accept_step(x);
-    // trapezoidal rule for the work of loads and supports
-    LA::Vector step(x.block(0));
-    step -= accepted.x.block(0);
-    work.external +=
-      0.5 * (accepted.nodal_forces * step + problem.nodal_forces() * step);
-    work.stabilization +=
-      problem.solid().stabilization_work(problem.ghosted_displacement());
-    work.contact +=
-      0.5 * (accepted.contact_forces * step + problem.contact_forces() * step);
-    accepted.nodal_forces   = problem.nodal_forces();
-    accepted.contact_forces = problem.contact_forces();
-    accepted.x              = x;
-    accepted.rate           = step;
+    problem().accept_step(x);
+    accepted.rate = accepted.advance(x, problem(), work);
     accepted.rate *= 1. / (steps().next_time() - steps().time());
-    step_control.accept_step(solved, problem.counts.newton_iterations);
+    step_control.accept_step(solved, problem().counts.newton_iterations);
 
-    const auto faces = contact_results(problem.contact());
+    const auto faces = contact_results(problem().contact());
     const auto resultants =
       compute_contact_resultants(faces,
                                  parameters.contact_pairs.size(),
@@ -205,14 +194,14 @@ namespace stickslip
     force_tables.write(steps().step_number(),
                        steps().time(),
                        resultants,
-                       problem);
+                       problem());
     write_results(faces);
     if (steps().step_number() == 1)
       check_quantities(parameters.checks, result_tables, communicator);
     progress.accepted_step(steps().step_number(),
                            steps().time(),
                            name_of(solved.algorithm) + ", " +
-                             std::to_string(problem.counts.newton_iterations) +
+                             std::to_string(problem().counts.newton_iterations) +
                              " Newton iterations");
   }
 
@@ -226,11 +215,11 @@ namespace stickslip
       report_failure(failure,
                      steps().step_number() + 1,
                      parameters,
-                     problem,
-                     step_solver.cycle_treatment.history(),
+                     problem(),
+                     model->step_solver.cycle_treatment.history(),
                      log.last_newton_run());
     log.note(report.text());
-    problem.restore();
+    problem().restore();
     x = accepted.x;
     if (!steps().can_be_cut())
       stop(failure, report);
@@ -269,7 +258,7 @@ namespace stickslip
   void
   Simulation<dim>::interrupt(const RunStopped &request)
   {
-    problem.restore();
+    problem().restore();
     write_checkpoint(control_of_accepted_state);
     std::ostringstream text;
     text << request.what() << ". The last accepted state, step "
@@ -290,22 +279,22 @@ namespace stickslip
     const unsigned int        step = steps().step_number();
     const double              time = steps().time();
     const MaterialFields<dim> material =
-      material_fields(problem.solid(), problem.ghosted_displacement());
+      material_fields(problem().solid(), problem().ghosted_displacement());
     if (parameters.output.is_written(step) || steps().finished())
       {
         field_output.write(step,
                            time,
-                           problem.layout().mapping,
-                           problem.layout().dof_handler,
-                           problem.ghosted_displacement(),
+                           problem().layout().mapping,
+                           problem().layout().dof_handler,
+                           problem().ghosted_displacement(),
                            material);
         if (!parameters.contact_pairs.empty())
           contact_output.write(step, time, faces);
       }
     point_values.write(step,
                        time,
-                       problem.layout().dof_handler,
-                       problem.ghosted_displacement(),
+                       problem().layout().dof_handler,
+                       problem().ghosted_displacement(),
                        material,
                        faces);
     if (parameters.output.is_saved(step, steps().finished()))
@@ -319,7 +308,7 @@ namespace stickslip
   Simulation<dim>::write_checkpoint(const StepControlState &control)
   {
     save_checkpoint(parameters.output.directory,
-                    problem,
+                    problem(),
                     accepted,
                     {control, work},
                     parameters.physics);
@@ -333,12 +322,12 @@ namespace stickslip
   {
     ParameterValues physics;
     const auto      scalars =
-      load_checkpoint(checkpoint, problem, accepted, physics);
+      load_checkpoint(checkpoint, problem(), accepted, physics);
     work = scalars.work;
     step_control.resume(scalars.control);
     // pairs the points and sets the scales that the first thresholds need
-    problem.begin_step(steps().time(), accepted.x);
-    problem.begin_iteration(accepted.x);
+    problem().begin_step(steps().time(), accepted.x);
+    problem().begin_iteration(accepted.x);
     progress.resume(steps().time());
     return physics;
   }
@@ -364,7 +353,7 @@ namespace stickslip
   Simulation<dim>::write_statistics()
   {
     add_step_statistics(
-      step_control, solved, problem.counts, step_solver, statistics);
+      step_control, solved, problem().counts, model->step_solver, statistics);
     work.add_to(statistics);
     statistics.finish_row();
   }
@@ -375,7 +364,7 @@ namespace stickslip
   unsigned int
   Simulation<dim>::report_final_results()
   {
-    FinalResults results = final_results(parameters, problem, point_values);
+    FinalResults results = final_results(parameters, problem(), point_values);
     work.add_to(results, parameters.load_stepping.stabilization_factor > 0.);
     std::ostringstream text;
     for (const std::string &warning : warnings.at_end())

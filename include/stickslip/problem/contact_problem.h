@@ -118,6 +118,14 @@ namespace stickslip
       constraints->make_rigid(time, displacement);
     }
 
+    /// Puts hanging nodes to where their coarse side has them, in
+    /// @p displacement (not ghosted).
+    void
+    make_conforming(LA::Vector &displacement) const
+    {
+      constraints->make_conforming(displacement);
+    }
+
     /// Internal plus contact forces of the last residual: at equilibrium the
     /// loads and the reactions.
     const LA::Vector &

@@ -81,6 +81,11 @@ namespace stickslip
     void
     make_rigid(const double time, LA::Vector &displacement) const;
 
+    /// Puts hanging nodes (and periodic ones) to where what they hang on has
+    /// them, in @p displacement (not ghosted). Collective.
+    void
+    make_conforming(LA::Vector &displacement) const;
+
     /// True once after an update that has changed where increment() leads: the
     /// sparsity is another one.
     bool

@@ -23,9 +23,9 @@
 #include <stickslip/simulation/case_parameters.h>
 #include <stickslip/simulation/contact_warnings.h>
 #include <stickslip/simulation/convergence_log.h>
+#include <stickslip/simulation/discretization.h>
 #include <stickslip/simulation/failure_report.h>
 #include <stickslip/simulation/force_tables.h>
-#include <stickslip/simulation/step_solver.h>
 #include <stickslip/simulation/work_balance.h>
 
 #include <stickslip/strategy/step_control.h>
@@ -65,7 +65,7 @@ namespace stickslip
     {
       std::vector<std::string> lines  = automatic.reasons;
       const auto               levels = describe_levels(mesh.cells_by_level);
-      const auto contact = describe(problem.contact(), problem.start());
+      const auto contact = describe(problem().contact(), problem().start());
       lines.insert(lines.end(), levels.begin(), levels.end());
       lines.insert(lines.end(), contact.begin(), contact.end());
       return lines;
@@ -76,8 +76,7 @@ namespace stickslip
     MPI_Comm                      communicator;
     Mesh<dim>                     mesh;
     AutomaticPairs                automatic;
-    ContactProblem<dim>           problem;
-    std::unique_ptr<LinearSolver> linear_solver;
+    const Amplitudes              amplitudes;
     StepControl                   step_control;
 
     LA::BlockVector  x;        ///< present state
@@ -96,8 +95,18 @@ namespace stickslip
     std::vector<const StatisticsTable *> result_tables;
     ConvergenceLog                       log;
     StopRequests                         stop_requests;
-    StepSolver<dim>                      step_solver;
     Progress                             progress;
+    std::unique_ptr<Discretization<dim>> model; ///< of the present mesh
+
+    ContactProblem<dim> &
+    problem() const
+    {
+      return model->problem;
+    }
+
+    /// Makes `model` for the present mesh.
+    void
+    discretize();
 
     /// Load time; shorter than step_control.steps().
     const LoadStepping &

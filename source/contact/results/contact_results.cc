@@ -72,26 +72,31 @@ namespace stickslip
         }
       return result;
     }
-    /// Lambda as a vector is known where there is a frame: at the points.
-    template <int dim>
-    void
-    average_Lambda(ContactFaceResult<dim> &face)
-    {
-      std::vector<double> sums(face.Lambda.size(), 0.);
-      for (const auto &point : face.all_points())
-        for (unsigned int j = 0; j < sums.size(); ++j)
-          if (point.shape_values[j] > 0.)
-            {
-              const double weight =
-                point.shape_values[j] * point.reference_weight;
-              face.Lambda[j] += weight * point.Lambda;
-              sums[j] += weight;
-            }
-      for (unsigned int j = 0; j < sums.size(); ++j)
-        if (sums[j] > 0.)
-          face.Lambda[j] /= sums[j];
-    }
   } // namespace
+
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>>
+  nodal_averages(const ContactFaceResult<dim> &face,
+                 Tensor<1, dim> ContactPointResult<dim>::*quantity)
+  {
+    std::vector<Tensor<1, dim>> averages(face.reference_positions.size());
+    std::vector<double>         sums(averages.size(), 0.);
+    for (const auto &point : face.all_points())
+      for (unsigned int j = 0; j < sums.size(); ++j)
+        if (point.shape_values[j] > 0.)
+          {
+            const double weight =
+              point.shape_values[j] * point.reference_weight;
+            averages[j] += weight * point.*quantity;
+            sums[j] += weight;
+          }
+    for (unsigned int j = 0; j < sums.size(); ++j)
+      if (sums[j] > 0.)
+        averages[j] /= sums[j];
+    return averages;
+  }
 
 
 
@@ -120,7 +125,6 @@ namespace stickslip
                   positions[j] - Tensor<1, dim>(face.reference_positions[j]));
                 face.lambda_n.push_back(contact.lambda_n_at_node(pair, f, j));
               }
-            face.Lambda.resize(positions.size());
             results.push_back(face);
           }
         for (const auto &point : pair.points)
@@ -129,7 +133,9 @@ namespace stickslip
         if (pair.mortar)
           add_points_of_neighbours(contact, p, results.data() + first);
         for (std::size_t f = first; f < results.size(); ++f)
-          average_Lambda(results[f]);
+          // as a vector it is known where there is a frame: at the points
+          results[f].Lambda =
+            nodal_averages(results[f], &ContactPointResult<dim>::Lambda);
       }
     return results;
   }
@@ -184,6 +190,9 @@ namespace stickslip
 #define INSTANTIATE(dim)                                        \
   template std::vector<ContactFaceResult<dim>> contact_results( \
     ContactAssembler<dim> &);                                   \
+  template std::vector<Tensor<1, dim>> nodal_averages(          \
+    const ContactFaceResult<dim> &,                             \
+    Tensor<1, dim> ContactPointResult<dim>::*);                 \
   template std::string describe_contact(ContactAssembler<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
