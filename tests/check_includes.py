@@ -37,8 +37,9 @@ MAY_INCLUDE = {
     "linear_solvers/multigrid": {"base", "linear_solvers/factorization"},
     "linear_solvers": {"base", "linear_solvers/factorization", "linear_solvers/multigrid"},
     "strategy": {"base"},
+    "adaptivity": {"base", "mesh", "solid", "contact", "problem"},
     "output": {"base", "mesh", "solid", "contact", "problem"},
-    "simulation": {"base", "mesh", "solid", "contact", "problem", "linear_solvers", "strategy", "output"},
+    "simulation": {"base", "mesh", "solid", "contact", "problem", "linear_solvers", "strategy", "adaptivity", "output"},
 }
 MAX_LINES = 400
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTILINE)

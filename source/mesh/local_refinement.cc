@@ -1,70 +1,26 @@
 #include <stickslip/mesh/local_refinement.h>
 
 #include <stickslip/base/user_error.h>
+#include <stickslip/mesh/cell_layers.h>
 #include <stickslip/mesh/refinement_rule.h>
 
 #include <deal.II/base/mpi.h>
 
-#include <deal.II/grid/grid_tools.h>
-
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace stickslip
 {
   namespace
   {
-    /// Flags per active cell; of ghosts after exchange_flags().
-    using Flags = std::vector<bool>;
-
-
-
-    template <int dim>
-    void
-    exchange_flags(const Triangulation<dim> &triangulation, Flags &flags)
-    {
-      GridTools::exchange_cell_data_to_ghosts<unsigned int, Triangulation<dim>>(
-        triangulation,
-        [&flags](const auto &cell) {
-          return std::optional<unsigned int>(
-            flags[cell->active_cell_index()] ? 1 : 0);
-        },
-        [&flags](const auto &cell, const unsigned int value) {
-          flags[cell->active_cell_index()] = value > 0;
-        });
-    }
-
-
-
-    /// Flags the cells of this rank that share a vertex with a flagged one.
-    template <int dim>
-    void
-    add_layer(const Triangulation<dim> &triangulation, Flags &flags)
-    {
-      exchange_flags(triangulation, flags);
-      std::vector<bool> is_marked(triangulation.n_vertices(), false);
-      for (const auto &cell : triangulation.active_cell_iterators())
-        if (!cell->is_artificial() && flags[cell->active_cell_index()])
-          for (const unsigned int v : cell->vertex_indices())
-            is_marked[cell->vertex_index(v)] = true;
-      for (const auto &cell : triangulation.active_cell_iterators())
-        if (cell->is_locally_owned())
-          for (const unsigned int v : cell->vertex_indices())
-            if (is_marked[cell->vertex_index(v)])
-              flags[cell->active_cell_index()] = true;
-    }
-
-
-
     /// What @p rule wants refined from @p level on, with its buffer.
     template <int dim>
-    Flags
+    CellFlags
     flags_of(const RefinementRule<dim> &rule,
              const unsigned int         level,
              const Triangulation<dim>  &triangulation)
     {
-      Flags        flags(triangulation.n_active_cells(), false);
+      CellFlags    flags(triangulation.n_active_cells(), false);
       unsigned int n_found = 0;
       for (const auto &cell : triangulation.active_cell_iterators())
         if (cell->is_locally_owned() && rule.concerns(cell))
@@ -90,7 +46,7 @@ namespace stickslip
     template <int dim>
     double
     least_number_of_cells(const std::vector<RefinementRule<dim>> &rules,
-                          const Flags                            &flags,
+                          const CellFlags                        &flags,
                           const unsigned int                      n_global,
                           const Triangulation<dim>               &triangulation)
     {
@@ -136,11 +92,12 @@ namespace stickslip
       }
     for (unsigned int i = 0; i < n_levels; ++i)
       {
-        Flags flags(triangulation.n_active_cells(), false);
+        CellFlags flags(triangulation.n_active_cells(), false);
         for (const RefinementRule<dim> &rule : rules)
           if (rule.request.parameters.levels > i)
             {
-              const Flags more = flags_of(rule, n_global + i, triangulation);
+              const CellFlags more =
+                flags_of(rule, n_global + i, triangulation);
               for (unsigned int c = 0; c < flags.size(); ++c)
                 flags[c] = flags[c] || more[c];
             }

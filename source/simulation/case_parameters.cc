@@ -127,32 +127,24 @@ namespace stickslip
     add_named_list(prm, "Materials", materials);
     add_named_list(prm, "Amplitudes", amplitudes);
     add_named_list(prm, "Boundary conditions", boundary_conditions);
-    prm.enter_subsection("Contact");
-    automatic_contact.add_parameters(prm);
-    prm.leave_subsection();
+    const auto add_section = [&prm](const std::string &name, auto &section) {
+      prm.enter_subsection(name);
+      section.add_parameters(prm);
+      prm.leave_subsection();
+    };
+    add_section("Contact", automatic_contact);
     add_named_list(prm, "Contact", contact_pairs);
-    prm.enter_subsection("Mesh");
-    mesh.add_parameters(prm);
-    prm.leave_subsection();
+    add_section("Mesh", mesh);
     add_named_list(prm, "Refinement", refinement);
+    add_section("Adaptation", adaptation);
+    add_section("Algorithm", algorithm);
     prm.enter_subsection("Algorithm");
-    algorithm.add_parameters(prm);
-    prm.enter_subsection("Cycling");
-    cycling.add_parameters(prm);
+    add_section("Cycling", cycling);
+    add_section("Acceptance", acceptance);
     prm.leave_subsection();
-    prm.enter_subsection("Acceptance");
-    acceptance.add_parameters(prm);
-    prm.leave_subsection();
-    prm.leave_subsection();
-    prm.enter_subsection("Load stepping");
-    load_stepping.add_parameters(prm);
-    prm.leave_subsection();
-    prm.enter_subsection("Linear solver");
-    linear_solver.add_parameters(prm);
-    prm.leave_subsection();
-    prm.enter_subsection("Output");
-    output.add_parameters(prm);
-    prm.leave_subsection();
+    add_section("Load stepping", load_stepping);
+    add_section("Linear solver", linear_solver);
+    add_section("Output", output);
     add_named_list(prm, "Checks", checks);
   }
 
@@ -184,6 +176,7 @@ namespace stickslip
     mesh.bytes_per_cell    = matrix_bytes_per_cell(dimension, degree);
     mesh.bytes_per_simplex = matrix_bytes_per_simplex(dimension, degree);
     check();
+    adaptation.global_refinements = mesh.global_refinements;
     load_stepping.request(ends_of_intervals(boundary_conditions));
     mesh.refinements          = refinement_requests();
     const DeclaredSection all = declared_parameters(prm);
@@ -236,6 +229,7 @@ namespace stickslip
     check_named_list("Bodies", bodies);
     for (const auto &[name, rule] : refinement)
       rule.check("Refinement/" + name, dimension);
+    adaptation.check("Adaptation");
     for (const auto &[name, material] : materials)
       material.check("Materials/" + name, dimension, degree);
     check_named_list("Amplitudes", amplitudes);

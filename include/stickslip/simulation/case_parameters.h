@@ -1,6 +1,8 @@
 #ifndef stickslip_simulation_case_parameters_h
 #define stickslip_simulation_case_parameters_h
 
+#include <stickslip/adaptivity/adaptation_parameters.h>
+
 #include <stickslip/base/amplitude.h>
 #include <stickslip/base/parameter_file.h>
 
@@ -45,6 +47,7 @@ namespace stickslip
     MeshParameters                         mesh;
     NamedList<BodyParameters>              bodies;
     NamedList<RefinementParameters>        refinement;
+    AdaptationParameters                   adaptation;
     NamedList<MaterialParameters>          materials;
     NamedList<AmplitudeParameters>         amplitudes;
     NamedList<BoundaryConditionParameters> boundary_conditions;

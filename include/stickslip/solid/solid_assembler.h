@@ -143,6 +143,13 @@ namespace stickslip
     double
     longitudinal_modulus(const types::material_id material) const;
 
+    /// That of a region; it must have one.
+    const ConstitutiveLaw &
+    law(const types::material_id material) const
+    {
+      return *laws[material];
+    }
+
     /// The quadrature formula of the cells.
     const Quadrature<dim> &
     cell_quadrature() const

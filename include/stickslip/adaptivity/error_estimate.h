@@ -1,0 +1,33 @@
+#ifndef stickslip_adaptivity_error_estimate_h
+#define stickslip_adaptivity_error_estimate_h
+
+#include <stickslip/adaptivity/error_estimator.h>
+
+namespace stickslip
+{
+  /// What an estimator says about a state.
+  struct ErrorEstimate
+  {
+    Vector<double> indicators; ///< ErrorEstimator::indicators()
+    bool           is_rule = false;
+    /// Square root of their sum over all cells [energy^1/2]; 0 for a rule.
+    double error = 0.;
+    /// (int sigma : C^-1 : sigma)^1/2 of the state, over all bodies. Of Cauchy
+    /// stresses, over the undeformed volume.
+    double energy_norm = 0.;
+
+    /// 0 if there is neither error nor stress, infinity for an error without
+    /// stress.
+    double
+    relative() const;
+  };
+
+  /// See ErrorEstimator::indicators(). Collective.
+  template <int dim>
+  ErrorEstimate
+  estimate_error(const ErrorEstimator<dim> &estimator,
+                 ContactProblem<dim>       &problem,
+                 const LA::BlockVector     &x);
+} // namespace stickslip
+
+#endif

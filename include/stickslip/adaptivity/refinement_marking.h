@@ -1,0 +1,37 @@
+#ifndef stickslip_adaptivity_refinement_marking_h
+#define stickslip_adaptivity_refinement_marking_h
+
+#include <stickslip/adaptivity/adaptation_parameters.h>
+#include <stickslip/adaptivity/error_estimate.h>
+
+#include <stickslip/mesh/body.h>
+
+#include <deal.II/distributed/tria.h>
+
+namespace stickslip
+{
+  /**
+   * Sets the refine and coarsen flags of the cells of this rank, and clears
+   * those that were there, by what @p estimate says and @p parameters allow:
+   *
+   * - of an error: by AdaptationParameters::marking. Sums of the squared
+   *   indicators are what counts. Cells of rigid bodies get no flag.
+   * - of a rule: cells that it selects are refined, all others coarsened.
+   *
+   * Then buffer layers, the bounds of levels, and the most cells: as long as
+   * the refined cells would make more than that, fewer of those with small
+   * indicators are refined. What deal.II does to flags afterwards (children
+   * that do not all want to be coarser, levels of neighbours) is not looked
+   * at. Nothing is executed.
+   *
+   * Returns, on all ranks, whether any cell has a flag. Collective.
+   */
+  template <int dim>
+  bool
+  mark_cells(const ErrorEstimate                       &estimate,
+             const AdaptationParameters                &parameters,
+             const Bodies                              &bodies,
+             parallel::distributed::Triangulation<dim> &triangulation);
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,74 @@
+#include <stickslip/adaptivity/error_estimate.h>
+
+#include <stickslip/adaptivity/linear_moduli.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <vector>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// int sigma : C^-1 : sigma over the cells of this rank.
+    template <int dim>
+    double
+    square_of_stress(ContactProblem<dim> &problem)
+    {
+      const LinearModuliOf<dim>       moduli(problem);
+      std::vector<MaterialState<dim>> states;
+      double                          sum = 0.;
+      for (const auto &cell :
+           problem.layout().dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned() && moduli.is_deformable(cell))
+          {
+            problem.solid().evaluate_point_states(
+              cell, problem.ghosted_displacement(), states);
+            for (const auto &state : states)
+              sum += moduli.of(cell).square(state.cauchy_stress) * state.JxW;
+          }
+      return sum;
+    }
+  } // namespace
+
+
+
+  double
+  ErrorEstimate::relative() const
+  {
+    return error > 0. ? error / energy_norm : 0.;
+  }
+
+
+
+  template <int dim>
+  ErrorEstimate
+  estimate_error(const ErrorEstimator<dim> &estimator,
+                 ContactProblem<dim>       &problem,
+                 const LA::BlockVector     &x)
+  {
+    const MPI_Comm communicator =
+      problem.layout().dof_handler.get_communicator();
+    ErrorEstimate estimate;
+    estimate.indicators = estimator.indicators(problem, x);
+    estimate.is_rule    = estimator.is_rule();
+    double sum          = 0.; // over ghosts, too: they have zeros
+    for (const double square : estimate.indicators)
+      sum += square;
+    if (!estimate.is_rule)
+      estimate.error = std::sqrt(Utilities::MPI::sum(sum, communicator));
+    estimate.energy_norm =
+      std::sqrt(Utilities::MPI::sum(square_of_stress(problem), communicator));
+    return estimate;
+  }
+
+  template ErrorEstimate
+  estimate_error(const ErrorEstimator<2> &,
+                 ContactProblem<2> &,
+                 const LA::BlockVector &);
+  template ErrorEstimate
+  estimate_error(const ErrorEstimator<3> &,
+                 ContactProblem<3> &,
+                 const LA::BlockVector &);
+} // namespace stickslip
