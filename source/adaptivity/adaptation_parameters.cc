@@ -22,12 +22,24 @@ namespace stickslip
 
 
 
+  const Choices<Repetition> &
+  all_repetitions()
+  {
+    static const Choices<Repetition> choices = {
+      {"never", Repetition::never},
+      {"first step", Repetition::first_step},
+      {"every step", Repetition::every_step}};
+    return choices;
+  }
+
+
+
   void
   AdaptationParameters::add_parameters(ParameterHandler &prm)
   {
     prm.add_parameter("Estimator",
                       estimator,
-                      "Where the error of the accepted states is. " +
+                      "Adapts the mesh: where the error of the states is. " +
                         error_estimator_descriptions(),
                       Patterns::Selection(error_estimator_selection()));
     add_choice(prm,
@@ -44,6 +56,24 @@ namespace stickslip
                "error is larger than that, and those with much less. Cells of "
                "rigid bodies do not count. ('contact zone' and 'contact edge' "
                "mark their cells, whatever stands here.)");
+    prm.add_parameter(
+      "Every",
+      every,
+      "The mesh is adapted after every so many steps; the state "
+      "is carried over and brought to equilibrium before the "
+      "load goes on. 0: never after a step.",
+      Patterns::Integer(0));
+    add_choice(prm,
+               "Repeat",
+               repetition,
+               all_repetitions(),
+               "Which steps are solved once more, from where they began, on a "
+               "mesh that is finer where their solution wants that, until it "
+               "does not.");
+    prm.add_parameter("Most repetitions",
+                      most_repetitions,
+                      "Of one step.",
+                      Patterns::Integer(1, 100));
     prm.add_parameter("Refine fraction",
                       refine_fraction,
                       "Of the squared error, or of the cells.",

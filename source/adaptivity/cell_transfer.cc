@@ -141,15 +141,17 @@ namespace stickslip
         for (const auto &surface : children[child].on_surfaces)
           {
             auto &surfaces = parent.on_surfaces;
-            auto  found    = std::find_if(
-              surfaces.begin(), surfaces.end(), [&surface](const auto &other) {
-                return other.pair == surface.pair;
-              });
+            auto  found    = std::find_if(surfaces.begin(),
+                                      surfaces.end(),
+                                      [&surface](const auto &other) {
+                                        return other.pair == surface.pair;
+                                      });
             if (found == surfaces.end())
-              found = surfaces.insert(
-                surfaces.end(),
-                {surface.pair,
-                 CellRecord::NodalField(surface.values.size(), 0.)});
+              found =
+                surfaces.insert(surfaces.end(),
+                                {surface.pair,
+                                 CellRecord::NodalField(surface.values.size(),
+                                                        0.)});
             take_from(surface.values, child, found->values);
           }
       }

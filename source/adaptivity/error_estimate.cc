@@ -30,6 +30,20 @@ namespace stickslip
           }
       return sum;
     }
+    /// To 20 bits: cells that are alike by symmetry then have the same
+    /// indicators, and so the same flags on any number of ranks.
+    Vector<double>
+    rounded(Vector<double> values)
+    {
+      for (double &value : values)
+        {
+          int          exponent = 0;
+          const double fraction = std::frexp(value, &exponent);
+          value =
+            std::ldexp(std::round(std::ldexp(fraction, 20)), exponent - 20);
+        }
+      return values;
+    }
   } // namespace
 
 
@@ -51,7 +65,7 @@ namespace stickslip
     const MPI_Comm communicator =
       problem.layout().dof_handler.get_communicator();
     ErrorEstimate estimate;
-    estimate.indicators = estimator.indicators(problem, x);
+    estimate.indicators = rounded(estimator.indicators(problem, x));
     estimate.is_rule    = estimator.is_rule();
     double sum          = 0.; // over ghosts, too: they have zeros
     for (const double square : estimate.indicators)

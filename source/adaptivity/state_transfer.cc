@@ -102,8 +102,7 @@ namespace stickslip
       for (auto &surface : record.on_surfaces)
         if (surface.pair == p)
           return surface.values;
-      record.on_surfaces.push_back(
-        {p, CellRecord::NodalField(n_values, 0.)});
+      record.on_surfaces.push_back({p, CellRecord::NodalField(n_values, 0.)});
       return record.on_surfaces.back().values;
     }
 
@@ -112,8 +111,7 @@ namespace stickslip
     /// Adds what @p results say to the records of the cells.
     template <int dim>
     void
-    add_surfaces(ContactProblem<dim>     &problem,
-                 std::vector<CellRecord> &records)
+    add_surfaces(ContactProblem<dim> &problem, std::vector<CellRecord> &records)
     {
       const DofLayout<dim> &layout  = problem.layout();
       const auto           &pairs   = problem.contact().contact_pairs();
@@ -127,17 +125,18 @@ namespace stickslip
       std::vector<types::global_dof_index> dofs(layout.fe.dofs_per_cell);
       for (const auto &cell : layout.dof_handler.active_cell_iterators())
         {
-          const auto found = cell->is_locally_owned()
-                               ? faces.find(cell->id().template to_binary<dim>())
-                               : faces.end();
+          const auto found =
+            cell->is_locally_owned()
+              ? faces.find(cell->id().template to_binary<dim>())
+              : faces.end();
           if (found == faces.end())
             continue;
           cell->get_dof_indices(dofs);
           for (const auto &[p, f] : found->second)
             {
               const auto &result = results[first[p] + f];
-              const auto  nodes  = nodes_in_cell(
-                pairs[p]->slave_faces[f].face, layout.fe, dofs);
+              const auto  nodes =
+                nodes_in_cell(pairs[p]->slave_faces[f].face, layout.fe, dofs);
               const auto slip =
                 nodal_averages(result,
                                &ContactPointResult<dim>::accumulated_slip);
@@ -172,9 +171,9 @@ namespace stickslip
     surface_values(ContactProblem<dim>           &problem,
                    const std::vector<CellRecord> &records)
     {
-      const DofLayout<dim> &layout = problem.layout();
-      const auto           &pairs  = problem.contact().contact_pairs();
-      const auto            faces  = faces_of_cells(problem.contact());
+      const DofLayout<dim> &layout  = problem.layout();
+      const auto           &pairs   = problem.contact().contact_pairs();
+      const auto            faces   = faces_of_cells(problem.contact());
       const unsigned int    n_nodes = layout.fe.dofs_per_cell / dim;
       AllSurfaceValues<dim> all(pairs.size());
       for (unsigned int p = 0; p < pairs.size(); ++p)
@@ -182,9 +181,10 @@ namespace stickslip
       std::vector<types::global_dof_index> dofs(layout.fe.dofs_per_cell);
       for (const auto &cell : layout.dof_handler.active_cell_iterators())
         {
-          const auto found = cell->is_locally_owned()
-                               ? faces.find(cell->id().template to_binary<dim>())
-                               : faces.end();
+          const auto found =
+            cell->is_locally_owned()
+              ? faces.find(cell->id().template to_binary<dim>())
+              : faces.end();
           if (found == faces.end())
             continue;
           cell->get_dof_indices(dofs);
@@ -192,7 +192,9 @@ namespace stickslip
           for (const auto &[p, f] : found->second)
             {
               const auto &values =
-                surface_of(record, p, n_nodes * SurfaceValues<dim>::n_components);
+                surface_of(record,
+                           p,
+                           n_nodes * SurfaceValues<dim>::n_components);
               for (const unsigned int node : nodes_in_cell(
                      pairs[p]->slave_faces[f].face, layout.fe, dofs))
                 {
@@ -284,8 +286,7 @@ namespace stickslip
                 {
                   const Tensor<1, dim> Lambda =
                     at_multiplier_node(pair, nodes, l).Lambda;
-                  const double weight =
-                    std::abs(L[l]) * point.geometry.weight;
+                  const double weight = std::abs(L[l]) * point.geometry.weight;
                   for (unsigned int b = 0; b + 1 < n_comp; ++b)
                     {
                       const auto i =
@@ -314,8 +315,8 @@ namespace stickslip
                                     const double           time,
                                     const LA::BlockVector &x,
                                     const LA::Vector      &rate)
-    : element(make_element<dim>(problem.layout().cells,
-                                problem.layout().fe.degree))
+    : element(
+        make_element<dim>(problem.layout().cells, problem.layout().fe.degree))
     , transfer(*element, problem.solid().cell_quadrature())
   {
     const DofLayout<dim> &layout = problem.layout();
@@ -329,7 +330,8 @@ namespace stickslip
       with_ghosts = owned;
       return with_ghosts;
     };
-    const std::array<LA::Vector, 2> fields{{ghosted(x.block(0)), ghosted(rate)}};
+    const std::array<LA::Vector, 2> fields{
+      {ghosted(x.block(0)), ghosted(rate)}};
     const unsigned int n_dofs = layout.fe.dofs_per_cell, n_nodes = n_dofs / dim;
     std::vector<types::global_dof_index> dofs(n_dofs);
     records.resize(layout.dof_handler.get_triangulation().n_active_cells());
@@ -363,17 +365,16 @@ namespace stickslip
   {
     using Cell = typename Triangulation<dim>::cell_iterator;
     triangulation.prepare_coarsening_and_refinement();
-    parallel::distributed::
-      CellDataTransfer<dim, dim, std::vector<CellRecord>>
-        data(
-          triangulation,
-          /*transfer_variable_size_data=*/true,
-          [this](const Cell &, const CellRecord parent) {
-            return transfer.to_children(parent);
-          },
-          [this](const Cell &, const std::vector<CellRecord> &children) {
-            return transfer.to_parent(children);
-          });
+    parallel::distributed::CellDataTransfer<dim, dim, std::vector<CellRecord>>
+      data(
+        triangulation,
+        /*transfer_variable_size_data=*/true,
+        [this](const Cell &, const CellRecord parent) {
+          return transfer.to_children(parent);
+        },
+        [this](const Cell &, const std::vector<CellRecord> &children) {
+          return transfer.to_parent(children);
+        });
     data.prepare_for_coarsening_and_refinement(records);
     triangulation.execute_coarsening_and_refinement();
     std::vector<CellRecord> moved(triangulation.n_active_cells());

@@ -72,6 +72,8 @@ namespace stickslip
   void
   StopRequests::check() const
   {
+    if (is_delayed)
+      return;
     const std::chrono::duration<double> used = Clock::now() - start_of_program;
 
     int reason = no_reason;

@@ -358,9 +358,12 @@ namespace stickslip
                                          : parameters.bytes_per_cell,
                            with_metis,
                            "Mesh/Global refinements");
-    const auto &refinements = parameters.refinements;
-    if (!refinements.empty())
-      check_local_refinement(refinements.front().path,
+    const auto       &refinements        = parameters.refinements;
+    const std::string path_of_refinement = refinements.empty()
+                                             ? parameters.later_refinement
+                                             : refinements.front().path;
+    if (!path_of_refinement.empty())
+      check_local_refinement(path_of_refinement,
                              cell,
                              parameters.partitioner,
                              periodic_requests);
@@ -378,7 +381,7 @@ namespace stickslip
             refinements, mesh.bodies, size, bytes_per_cell, triangulation);
       },
       communicator);
-    if (!refinements.empty())
+    if (!path_of_refinement.empty())
       mesh.cells_by_level = cells_by_level(*mesh.triangulation);
     return mesh;
   }

@@ -32,10 +32,10 @@ namespace stickslip
     return step;
   }
 
-#define INSTANTIATE(dim)                                                      \
-  template AcceptedState AcceptedState::zero(const ContactProblem<dim> &);    \
-  template LA::Vector    AcceptedState::advance(const LA::BlockVector &,      \
-                                             ContactProblem<dim> &,        \
+#define INSTANTIATE(dim)                                                   \
+  template AcceptedState AcceptedState::zero(const ContactProblem<dim> &); \
+  template LA::Vector    AcceptedState::advance(const LA::BlockVector &,   \
+                                             ContactProblem<dim> &,     \
                                              WorkBalance &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -178,7 +178,9 @@ namespace stickslip
     check();
     adaptation.global_refinements = mesh.global_refinements;
     load_stepping.request(ends_of_intervals(boundary_conditions));
-    mesh.refinements          = refinement_requests();
+    mesh.refinements = refinement_requests();
+    if (adaptation.is_active())
+      mesh.later_refinement = "Adaptation/Estimator = " + adaptation.estimator;
     const DeclaredSection all = declared_parameters(prm);
     if (!materials.empty())
       add_values(all, "Materials", physics);

@@ -60,53 +60,6 @@ namespace stickslip
 
 
 
-    /// Reads the description on rank 0 for all. Throws if the checkpoint is
-    /// not for this problem.
-    CheckpointDescription
-    read_description(const std::string        &directory,
-                     const ProblemFingerprint &present,
-                     const MPI_Comm           &communicator,
-                     std::string              &checkpoint)
-    {
-      std::string error, text;
-      if (Utilities::MPI::this_mpi_process(communicator) == 0)
-        {
-          checkpoint = find_checkpoint(directory, error);
-          if (error.empty())
-            {
-              std::ifstream      file(path_of_description(checkpoint));
-              std::ostringstream content;
-              content << file.rdbuf();
-              text = content.str();
-              CheckpointDescription description;
-              const std::string     other  = description.other_format(text);
-              const std::string     damage = description.parse(text);
-              if (!other.empty())
-                error = "--restart: the checkpoint '" + checkpoint +
-                        "' cannot be used: " + other + "." +
-                        name_whole_checkpoint_beside(checkpoint);
-              else if (!damage.empty())
-                error = describe_damage(checkpoint, damage);
-              else
-                {
-                  const std::string difference =
-                    present.difference_from(description.problem);
-                  if (!difference.empty())
-                    error = "--restart: the checkpoint '" + checkpoint +
-                            "' is of another case: " + difference + ".";
-                }
-            }
-        }
-      throw_collectively(error, communicator);
-      checkpoint = Utilities::MPI::broadcast(communicator, checkpoint, 0);
-      text       = Utilities::MPI::broadcast(communicator, text, 0);
-      CheckpointDescription description;
-      description.parse(text);
-      return description;
-    }
-
-
-
     /// Numbers of all files, those next to where this rank stands first.
     std::vector<unsigned int>
     reading_order(const unsigned int n_files, const MPI_Comm &communicator)
@@ -180,6 +133,42 @@ namespace stickslip
 
 
 
+  CheckpointDescription
+  read_description(const std::string &directory,
+                   const MPI_Comm    &communicator,
+                   std::string       &checkpoint)
+  {
+    std::string error, text;
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      {
+        checkpoint = find_checkpoint(directory, error);
+        if (error.empty())
+          {
+            std::ifstream      file(path_of_description(checkpoint));
+            std::ostringstream content;
+            content << file.rdbuf();
+            text = content.str();
+            CheckpointDescription description;
+            const std::string     other  = description.other_format(text);
+            const std::string     damage = description.parse(text);
+            if (!other.empty())
+              error = "--restart: the checkpoint '" + checkpoint +
+                      "' cannot be used: " + other + "." +
+                      name_whole_checkpoint_beside(checkpoint);
+            else if (!damage.empty())
+              error = describe_damage(checkpoint, damage);
+          }
+      }
+    throw_collectively(error, communicator);
+    checkpoint = Utilities::MPI::broadcast(communicator, checkpoint, 0);
+    text       = Utilities::MPI::broadcast(communicator, text, 0);
+    CheckpointDescription description;
+    description.parse(text);
+    return description;
+  }
+
+
+
   template <int dim>
   void
   save_checkpoint(const std::string       &directory,
@@ -240,8 +229,13 @@ namespace stickslip
   {
     const MPI_Comm communicator = problem.contact().get_communicator();
     std::string    checkpoint;
-    const CheckpointDescription description = read_description(
-      directory, fingerprint(problem), communicator, checkpoint);
+    const CheckpointDescription description =
+      read_description(directory, communicator, checkpoint);
+    const std::string difference =
+      fingerprint(problem).difference_from(description.problem);
+    if (!difference.empty()) // the same on all ranks
+      throw UserError("--restart: the checkpoint '" + checkpoint +
+                      "' is of another case: " + difference + ".");
 
     accepted.x             = problem.zero_state();
     const LA::Vector &zero = accepted.x.block(0);

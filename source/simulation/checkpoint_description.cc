@@ -20,7 +20,7 @@ namespace stickslip
   namespace
   {
     const std::string checkpoint_mark   = "stickslip checkpoint ";
-    const std::string checkpoint_format = "4";
+    const std::string checkpoint_format = "5";
     const std::string checkpoint_first_line =
       checkpoint_mark + checkpoint_format;
     const std::string checkpoint_last_line = "end";
@@ -211,7 +211,7 @@ namespace stickslip
         << "\nfriction work = " << scalars.work.friction
         << "\ncontact work = " << scalars.work.contact
         << "\nstabilization work = " << scalars.work.stabilization
-        << "\ngeometry =";
+        << "\nadaptations = " << scalars.adaptations << "\ngeometry =";
     for (const double value : problem.geometry)
       out << ' ' << value;
     out << '\n';
@@ -276,6 +276,7 @@ namespace stickslip
     read("friction work", scalars.work.friction);
     read("contact work", scalars.work.contact);
     read("stabilization work", scalars.work.stabilization);
+    read("adaptations", scalars.adaptations);
     read_list("geometry", problem.geometry);
     problem.properties.clear();
     physics.clear();

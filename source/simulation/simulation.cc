@@ -4,8 +4,11 @@
 #include <stickslip/base/no_convergence.h>
 #include <stickslip/base/user_error.h>
 
+#include <stickslip/adaptivity/state_transfer.h>
+
 #include <stickslip/contact/results/contact_results.h>
 #include <stickslip/simulation/checkpoint.h>
+#include <stickslip/simulation/checkpoint_mesh.h>
 #include <stickslip/simulation/final_results.h>
 #include <stickslip/simulation/run_files.h>
 #include <stickslip/simulation/step_statistics.h>
@@ -27,21 +30,13 @@ namespace stickslip
                            communicator,
                            parameters.slave_surfaces()))
     , automatic(parameters.add_automatic_pairs(mesh))
-    , amplitudes(parameters.make_amplitudes(communicator))
     , step_control(parameters.load_stepping,
                    fallback_sequence(parameters.algorithm.name,
                                      !parameters.contact_pairs.empty()),
                    parameters.algorithm.newton.max_iterations)
     , warnings(parameters.contact_pairs, parameters.bodies)
-    , field_output(parameters.output, mesh.bodies, communicator)
-    , contact_output(parameters.output, communicator)
-    , point_values(parameters.output, mesh.bodies, communicator)
-    , statistics(parameters.output.directory + "/statistics", communicator)
-    , force_tables(parameters, communicator)
-    , result_tables{&point_values.values_of_steps(),
-                    &force_tables.resultants(),
-                    &force_tables.reactions(),
-                    &statistics}
+    , output(parameters, mesh.bodies, communicator)
+    , adaptation(parameters.adaptation, mesh)
     , log(parameters.output.directory, communicator)
     , stop_requests(seconds_of_duration(parameters.output.stop_after),
                     communicator)
@@ -49,23 +44,9 @@ namespace stickslip
                0.,
                parameters.load_stepping.end_time,
                communicator)
+    , state(parameters, mesh, log, stop_requests)
   {
-    discretize();
-    accepted = AcceptedState::zero(problem());
-    x        = accepted.x;
-  }
-
-
-
-  template <int dim>
-  void
-  Simulation<dim>::discretize()
-  {
-    model.reset(); // two at a time would need twice the memory
-    model = std::make_unique<Discretization<dim>>(
-      parameters, amplitudes, mesh, log, stop_requests);
-    point_values.locate(problem().layout().mapping,
-                        problem().layout().dof_handler);
+    output.locate(problem());
   }
 
 
@@ -79,6 +60,7 @@ namespace stickslip
       {
         while (!steps().finished())
           {
+            adapt_after_step();
             begin_step();
             while (!solve_step())
               {}
@@ -106,7 +88,7 @@ namespace stickslip
       old_physics = load_state(start.checkpoint);
     start.step = steps().step_number();
     if (start.goes_on)
-      continue_tables();
+      output.resume(steps().time());
     prepare_run_files(parameters, start, communicator);
     log.open(start.goes_on);
     for (const auto &list : {mesh.warnings,
@@ -133,18 +115,8 @@ namespace stickslip
     control_of_accepted_state = step_control.state();
     stop_requests.check();
     step_control.begin_step();
-    model->step_solver.begin_step();
-  }
-
-
-
-  template <int dim>
-  LA::BlockVector
-  Simulation<dim>::predict() const
-  {
-    LA::BlockVector predicted(accepted.x);
-    predicted.block(0).add(steps().next_time() - steps().time(), accepted.rate);
-    return predicted;
+    state.step_solver().begin_step();
+    adaptation.begin_step();
   }
 
 
@@ -159,15 +131,89 @@ namespace stickslip
     log.begin_step(steps().step_number() + 1, time, size);
     try
       {
-        solved =
-          model->step_solver.solve(time, accepted.x, predict(), step_control, x);
+        solved = state.step_solver().solve(
+          time, state.accepted.x, state.predict(size), step_control, state.x);
       }
     catch (const NoConvergence &failure)
       {
         cut_step(failure);
         return false;
       }
+    return !repeats_on_other_mesh();
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::adapt_after_step()
+  {
+    if (adaptation.wants_other_mesh(steps().step_number(),
+                                    problem(),
+                                    state.accepted.x))
+      adapt_mesh();
+  }
+
+
+
+  template <int dim>
+  bool
+  Simulation<dim>::repeats_on_other_mesh()
+  {
+    if (!adaptation.wants_repetition(steps().step_number() + 1,
+                                     problem(),
+                                     state.x))
+      return false;
+    state.restore();
+    adapt_mesh();
+    state.step_solver().begin_step();
     return true;
+  }
+
+
+
+  template <int dim>
+  void
+  Simulation<dim>::adapt_mesh()
+  {
+    const double              time = steps().time();
+    const StopRequests::Delay no_stop_before_equilibrium(stop_requests);
+    problem().begin_step(time, state.accepted.x);
+    problem().configure(state.accepted.x, true);
+    const auto before = resultants_of(contact_results(problem().contact()));
+    do
+      log.note(adaptation.record_new_mesh(
+        state.adapt_mesh(time, adaptation.triangulation())));
+    while (adaptation.wants_another_level(problem(), state.accepted.x));
+    output.locate(problem());
+    if (steps().step_number() == 0)
+      return;
+    try
+      {
+        const unsigned int iterations =
+          state.find_equilibrium(time, step_control);
+        const auto now = resultants_of(contact_results(problem().contact()));
+        state.work.add_friction(now);
+        log.note(adaptation.record_equilibrium(iterations, before, now));
+      }
+    catch (const NoConvergence &failure)
+      {
+        log.note(std::string("no equilibrium on the new mesh, the next step "
+                             "has to find it: ") +
+                 failure.what());
+      }
+  }
+
+
+
+  template <int dim>
+  std::vector<ContactResultants<dim>>
+  Simulation<dim>::resultants_of(
+    const std::vector<ContactFaceResult<dim>> &faces) const
+  {
+    return compute_contact_resultants(faces,
+                                      parameters.contact_pairs.size(),
+                                      communicator);
   }
 
 
@@ -176,32 +222,27 @@ namespace stickslip
   void
   Simulation<dim>::accept_step()
   {
-    problem().accept_step(x);
-    accepted.rate = accepted.advance(x, problem(), work);
-    accepted.rate *= 1. / (steps().next_time() - steps().time());
+    state.accept_step(steps().next_time() - steps().time());
     step_control.accept_step(solved, problem().counts.newton_iterations);
 
-    const auto faces = contact_results(problem().contact());
-    const auto resultants =
-      compute_contact_resultants(faces,
-                                 parameters.contact_pairs.size(),
-                                 communicator);
-    for (const auto &pair : resultants)
-      work.friction -= pair.friction_work;
+    const auto faces      = contact_results(problem().contact());
+    const auto resultants = resultants_of(faces);
+    state.work.add_friction(resultants);
     for (const std::string &text : warnings.of_step(resultants))
       warn(text);
     write_statistics();
-    force_tables.write(steps().step_number(),
-                       steps().time(),
-                       resultants,
-                       problem());
-    write_results(faces);
-    if (steps().step_number() == 1)
-      check_quantities(parameters.checks, result_tables, communicator);
+    const unsigned int step = steps().step_number();
+    output.forces.write(step, steps().time(), resultants, problem());
+    output.write(step, steps().time(), steps().finished(), problem(), faces);
+    if (parameters.output.is_saved(step, steps().finished()))
+      write_checkpoint(step_control.state());
+    if (step == 1)
+      check_quantities(parameters.checks, output.tables, communicator);
     progress.accepted_step(steps().step_number(),
                            steps().time(),
                            name_of(solved.algorithm) + ", " +
-                             std::to_string(problem().counts.newton_iterations) +
+                             std::to_string(
+                               problem().counts.newton_iterations) +
                              " Newton iterations");
   }
 
@@ -216,11 +257,10 @@ namespace stickslip
                      steps().step_number() + 1,
                      parameters,
                      problem(),
-                     model->step_solver.cycle_treatment.history(),
+                     state.step_solver().cycle_treatment.history(),
                      log.last_newton_run());
     log.note(report.text());
-    problem().restore();
-    x = accepted.x;
+    state.restore();
     if (!steps().can_be_cut())
       stop(failure, report);
     const double tried = steps().next_time();
@@ -273,44 +313,12 @@ namespace stickslip
 
   template <int dim>
   void
-  Simulation<dim>::write_results(
-    const std::vector<ContactFaceResult<dim>> &faces)
-  {
-    const unsigned int        step = steps().step_number();
-    const double              time = steps().time();
-    const MaterialFields<dim> material =
-      material_fields(problem().solid(), problem().ghosted_displacement());
-    if (parameters.output.is_written(step) || steps().finished())
-      {
-        field_output.write(step,
-                           time,
-                           problem().layout().mapping,
-                           problem().layout().dof_handler,
-                           problem().ghosted_displacement(),
-                           material);
-        if (!parameters.contact_pairs.empty())
-          contact_output.write(step, time, faces);
-      }
-    point_values.write(step,
-                       time,
-                       problem().layout().dof_handler,
-                       problem().ghosted_displacement(),
-                       material,
-                       faces);
-    if (parameters.output.is_saved(step, steps().finished()))
-      write_checkpoint(step_control.state());
-  }
-
-
-
-  template <int dim>
-  void
   Simulation<dim>::write_checkpoint(const StepControlState &control)
   {
     save_checkpoint(parameters.output.directory,
                     problem(),
-                    accepted,
-                    {control, work},
+                    state.accepted,
+                    {control, state.work, adaptation.n_adaptations()},
                     parameters.physics);
   }
 
@@ -320,14 +328,22 @@ namespace stickslip
   ParameterValues
   Simulation<dim>::load_state(const std::string &checkpoint)
   {
+    const unsigned int n_adaptations =
+      adopt_mesh(checkpoint, *mesh.triangulation);
+    if (n_adaptations > 0)
+      {
+        adaptation.resume(n_adaptations);
+        state.discretize();
+        output.locate(problem());
+      }
     ParameterValues physics;
     const auto      scalars =
-      load_checkpoint(checkpoint, problem(), accepted, physics);
-    work = scalars.work;
+      load_checkpoint(checkpoint, problem(), state.accepted, physics);
+    state.work = scalars.work;
     step_control.resume(scalars.control);
     // pairs the points and sets the scales that the first thresholds need
-    problem().begin_step(steps().time(), accepted.x);
-    problem().begin_iteration(accepted.x);
+    problem().begin_step(steps().time(), state.accepted.x);
+    problem().begin_iteration(state.accepted.x);
     progress.resume(steps().time());
     return physics;
   }
@@ -336,26 +352,16 @@ namespace stickslip
 
   template <int dim>
   void
-  Simulation<dim>::continue_tables()
-  {
-    const double time = steps().time();
-    field_output.resume(time);
-    contact_output.resume(time);
-    point_values.resume(time);
-    statistics.resume(time);
-    force_tables.resume(time);
-  }
-
-
-
-  template <int dim>
-  void
   Simulation<dim>::write_statistics()
   {
-    add_step_statistics(
-      step_control, solved, problem().counts, model->step_solver, statistics);
-    work.add_to(statistics);
-    statistics.finish_row();
+    add_step_statistics(step_control,
+                        solved,
+                        problem().counts,
+                        state.step_solver(),
+                        output.statistics);
+    adaptation.add_to(output.statistics);
+    state.work.add_to(output.statistics);
+    output.statistics.finish_row();
   }
 
 
@@ -364,8 +370,10 @@ namespace stickslip
   unsigned int
   Simulation<dim>::report_final_results()
   {
-    FinalResults results = final_results(parameters, problem(), point_values);
-    work.add_to(results, parameters.load_stepping.stabilization_factor > 0.);
+    FinalResults results =
+      final_results(parameters, problem(), output.points());
+    state.work.add_to(results,
+                      parameters.load_stepping.stabilization_factor > 0.);
     std::ostringstream text;
     for (const std::string &warning : warnings.at_end())
       {
@@ -374,7 +382,7 @@ namespace stickslip
       }
     results.print(text);
     const CheckReport checks = evaluate_checks(parameters.checks,
-                                               result_tables,
+                                               output.tables,
                                                results.values(),
                                                communicator);
     text << checks.text;

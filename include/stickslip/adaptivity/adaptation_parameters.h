@@ -22,13 +22,24 @@ namespace stickslip
   const Choices<Marking> &
   all_markings();
 
-  /// Section `Adaptation`: where the error of an accepted state is, and which
-  /// cells that wants finer or coarser.
+  /// Which steps are solved once more when their solution wants finer cells.
+  enum class Repetition
+  {
+    never,
+    first_step,
+    every_step
+  };
+
+  const Choices<Repetition> &
+  all_repetitions();
+
+  /// Section `Adaptation`: when the mesh is adapted, where the error of an
+  /// accepted state is, and which cells that wants finer or coarser.
   struct AdaptationParameters
   {
     /// A name of the registry (adaptivity/error_estimator.h), or `none`.
     std::string  estimator        = "none";
-    Marking      marking          = Marking::fixed_fraction;
+    Marking      marking          = Marking::error_target;
     double       refine_fraction  = 0.3;
     double       coarsen_fraction = 0.03;
     double       error_target     = 0.05; ///< relative
@@ -37,6 +48,9 @@ namespace stickslip
     unsigned int most_cells       = 1000000;
     unsigned int buffer_layers    = 1;
     double       distance         = 0.; ///< of contact zone and edge [length]
+    Repetition   repetition       = Repetition::first_step;
+    unsigned int most_repetitions = 6;
+    unsigned int every            = 1; ///< so many steps; 0: never
 
     /// `Mesh/Global refinements`, from which levels count.
     unsigned int global_refinements = 0;

@@ -81,9 +81,9 @@ namespace stickslip
       unsigned int child, point;
     };
 
-    const FiniteElement<dim> &element;
-    const unsigned int        n_points;
-    std::vector<std::vector<unsigned int>> nearest_of_parent; ///< [child][q]
+    const FiniteElement<dim>              &element;
+    const unsigned int                     n_points;
+    std::vector<std::vector<unsigned int>> nearest_of_parent;   ///< [child][q]
     std::vector<ChildPoint>                nearest_of_children; ///< [q]
 
     CellRecord::NodalField

@@ -13,8 +13,8 @@
 namespace stickslip
 {
   /**
-   * Carries an accepted state from one mesh to the next: displacements and their
-   * rate, histories of the materials, multipliers and slip of the contact
+   * Carries an accepted state from one mesh to the next: displacements and
+   * their rate, histories of the materials, multipliers and slip of the contact
    * surfaces, cut into records of cells (CellTransfer) that travel with
    * them. Three calls, between which the old problem is destroyed and the new
    * one is made: constructor, execute(), put_into(). All are collective.

@@ -53,7 +53,32 @@ namespace stickslip
     void
     check() const;
 
+    /// While it lives, check() lets the run go on: what is under way would have
+    /// to be done anew.
+    class Delay
+    {
+    public:
+      explicit Delay(StopRequests &requests)
+        : requests(requests)
+      {
+        requests.is_delayed = true;
+      }
+
+      ~Delay()
+      {
+        requests.is_delayed = false;
+      }
+
+      Delay(const Delay &) = delete;
+      Delay &
+      operator=(const Delay &) = delete;
+
+    private:
+      StopRequests &requests;
+    };
+
   private:
+    bool                        is_delayed = false;
     const std::optional<double> time_limit;
     const MPI_Comm              communicator;
   };

@@ -42,6 +42,10 @@ namespace stickslip
     /// Local refinements, after all others (set by the caller).
     std::vector<RefinementRequest> refinements;
 
+    /// The parameter that wants cells refined later, or empty (set by the
+    /// caller).
+    std::string later_refinement;
+
     void
     add_parameters(ParameterHandler &prm);
   };

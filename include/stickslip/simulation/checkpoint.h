@@ -37,6 +37,14 @@ namespace stickslip
                   const CheckpointScalars &scalars,
                   const ParameterValues   &physics);
 
+  /// The description of the checkpoint that --restart @p directory means, and
+  /// its own directory @p checkpoint, on all ranks. Throws UserError if there is
+  /// none, if it is damaged or of another version. Collective.
+  CheckpointDescription
+  read_description(const std::string &directory,
+                   const MPI_Comm    &communicator,
+                   std::string       &checkpoint);
+
   /**
    * Reads the latest complete checkpoint below @p directory, or the one that
    * @p directory itself is, into @p state and the histories of @p problem. It must be the same mesh with the same contact

@@ -19,6 +19,7 @@ namespace stickslip
   {
     StepControlState control;
     WorkBalance      work;
+    unsigned int     adaptations = 0; ///< of the mesh, since the start
   };
 
 

@@ -8,29 +8,23 @@
 #include <stickslip/mesh/local_refinement.h>
 #include <stickslip/mesh/mesh_builder.h>
 
-#include <stickslip/output/contact_output.h>
 #include <stickslip/output/contact_resultants.h>
-#include <stickslip/output/field_output.h>
-#include <stickslip/output/point_values.h>
 #include <stickslip/output/progress.h>
-#include <stickslip/output/statistics_table.h>
 
 #include <stickslip/problem/automatic_pairs.h>
 #include <stickslip/problem/contact_problem.h>
 #include <stickslip/problem/start_description.h>
 
-#include <stickslip/simulation/accepted_state.h>
 #include <stickslip/simulation/case_parameters.h>
 #include <stickslip/simulation/contact_warnings.h>
 #include <stickslip/simulation/convergence_log.h>
-#include <stickslip/simulation/discretization.h>
 #include <stickslip/simulation/failure_report.h>
-#include <stickslip/simulation/force_tables.h>
-#include <stickslip/simulation/work_balance.h>
+#include <stickslip/simulation/mesh_adaptation.h>
+#include <stickslip/simulation/run_output.h>
+#include <stickslip/simulation/run_state.h>
 
 #include <stickslip/strategy/step_control.h>
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -72,41 +66,28 @@ namespace stickslip
     }
 
   private:
-    const CaseParameters         &parameters;
-    MPI_Comm                      communicator;
-    Mesh<dim>                     mesh;
-    AutomaticPairs                automatic;
-    const Amplitudes              amplitudes;
-    StepControl                   step_control;
+    const CaseParameters &parameters;
+    MPI_Comm              communicator;
+    Mesh<dim>             mesh;
+    AutomaticPairs        automatic;
+    StepControl           step_control;
 
-    LA::BlockVector  x;        ///< present state
-    AcceptedState    accepted; ///< last accepted state
-    Attempt          solved;   ///< the last step
+    Attempt          solved; ///< the last step
     StepControlState control_of_accepted_state;
-    WorkBalance      work;
     ContactWarnings  warnings;
 
-    FieldOutput<dim>   field_output;
-    ContactOutput<dim> contact_output;
-    PointValues<dim>   point_values;
-    StatisticsTable    statistics;
-    ForceTables        force_tables;
-    /// What names of results may mean, in this order.
-    std::vector<const StatisticsTable *> result_tables;
-    ConvergenceLog                       log;
-    StopRequests                         stop_requests;
-    Progress                             progress;
-    std::unique_ptr<Discretization<dim>> model; ///< of the present mesh
+    RunOutput<dim>      output;
+    MeshAdaptation<dim> adaptation;
+    ConvergenceLog      log;
+    StopRequests        stop_requests;
+    Progress            progress;
+    RunState<dim>       state;
 
     ContactProblem<dim> &
     problem() const
     {
-      return model->problem;
+      return state.problem();
     }
-
-    /// Makes `model` for the present mesh.
-    void
-    discretize();
 
     /// Load time; shorter than step_control.steps().
     const LoadStepping &
@@ -123,14 +104,26 @@ namespace stickslip
     void
     begin_step();
 
-    /// Goes on from the accepted state as in the last step, to
-    /// steps().next_time().
-    LA::BlockVector
-    predict() const;
-
     /// Returns false, and has cut the step, if no attempt succeeded.
     bool
     solve_step();
+
+    /// Adapts the mesh to the accepted state if that is due.
+    void
+    adapt_after_step();
+
+    /// Adapts the mesh to the solution of a step, if that wants it, and goes
+    /// back to where the step began: returns true.
+    bool
+    repeats_on_other_mesh();
+
+    /// Gives the accepted state the mesh that cells with flags want. If there
+    /// is no equilibrium on it, the next step has to find one.
+    void
+    adapt_mesh();
+
+    std::vector<ContactResultants<dim>>
+    resultants_of(const std::vector<ContactFaceResult<dim>> &faces) const;
 
     void
     accept_step();
@@ -169,9 +162,6 @@ namespace stickslip
     interrupt(const RunStopped &request);
 
     void
-    write_results(const std::vector<ContactFaceResult<dim>> &faces);
-
-    void
     write_statistics();
 
     void
@@ -181,10 +171,6 @@ namespace stickslip
     /// accepts. Returns the parameters that it was computed with.
     ParameterValues
     load_state(const std::string &checkpoint);
-
-    /// Tables and indices go on after the present time.
-    void
-    continue_tables();
 
     /// Prints the results. Returns the number of checks that fall short.
     unsigned int

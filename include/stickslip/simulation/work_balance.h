@@ -1,8 +1,10 @@
 #ifndef stickslip_simulation_work_balance_h
 #define stickslip_simulation_work_balance_h
 
+#include <stickslip/output/contact_resultants.h>
 #include <stickslip/output/statistics_table.h>
 
+#include <vector>
 
 namespace stickslip
 {
@@ -20,6 +22,15 @@ namespace stickslip
     /// Dissipated by viscous stabilization (see ViscousStabilization); it tells
     /// how far the path is from a quasi-static one.
     double stabilization = 0.;
+
+    /// Adds what friction has dissipated in a step.
+    template <int dim>
+    void
+    add_friction(const std::vector<ContactResultants<dim>> &of_pairs)
+    {
+      for (const auto &pair : of_pairs)
+        friction -= pair.friction_work;
+    }
 
     /// Adds a column for each.
     void

@@ -1,0 +1,131 @@
+#ifndef stickslip_simulation_mesh_adaptation_h
+#define stickslip_simulation_mesh_adaptation_h
+
+#include <stickslip/adaptivity/error_estimator.h>
+
+#include <stickslip/mesh/mesh_builder.h>
+
+#include <stickslip/output/contact_resultants.h>
+#include <stickslip/output/statistics_table.h>
+
+#include <stickslip/problem/contact_problem.h>
+
+#include <deal.II/distributed/tria.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace stickslip
+{
+  /**
+   * Decides whether and where the mesh is adapted, and keeps what the
+   * statistics say about it. What an adaptation does to the state is the
+   * business of Simulation.
+   */
+  template <int dim>
+  class MeshAdaptation
+  {
+  public:
+    /// @p mesh must outlive this object.
+    MeshAdaptation(const AdaptationParameters &parameters, Mesh<dim> &mesh);
+
+    bool
+    is_active() const
+    {
+      return estimator != nullptr;
+    }
+
+    /// A step begins: nothing is known of its solution.
+    void
+    begin_step();
+
+    /**
+     * The step number @p step has been solved: its solution is @p x. Flags cells
+     * and returns true if it has to be solved once more, on the adapted mesh.
+     * Collective.
+     */
+    bool
+    wants_repetition(const unsigned int     step,
+                     ContactProblem<dim>   &problem,
+                     const LA::BlockVector &x);
+
+    /// Step number @p step has been accepted, with the state @p x. Flags cells
+    /// and returns true if the mesh is to be another one before the next step.
+    /// Collective.
+    bool
+    wants_other_mesh(const unsigned int     step,
+                     ContactProblem<dim>   &problem,
+                     const LA::BlockVector &x);
+
+    /// The mesh has been adapted and has the state @p x: a rule may want it still
+    /// finer, which needs no further solution. Flags cells and returns true if
+    /// so. Collective.
+    bool
+    wants_another_level(ContactProblem<dim> &problem, const LA::BlockVector &x);
+
+    /// The triangulation, for those who change it.
+    parallel::distributed::Triangulation<dim> &
+    triangulation() const
+    {
+      return *p4est;
+    }
+
+    /// The mesh is another one since the last call; @p residual is the relative
+    /// imbalance of the state on it. Returns what it has become, in words.
+    /// Collective.
+    std::string
+    record_new_mesh(const double residual);
+
+    /// The state has been brought to equilibrium on the new mesh, which took
+    /// @p iterations; contact forces @p before and now. Returns it in words.
+    std::string
+    record_equilibrium(const unsigned int                         iterations,
+                       const std::vector<ContactResultants<dim>> &before,
+                       const std::vector<ContactResultants<dim>> &now);
+
+    /// Adaptations since the start of the run: other cells than at the start.
+    unsigned int
+    n_adaptations() const
+    {
+      return adaptations;
+    }
+
+    /// The run goes on from a checkpoint after @p n adaptations.
+    void
+    resume(const unsigned int n)
+    {
+      adaptations = n;
+    }
+
+    /// Columns about meshes and what they have done since the last row.
+    void
+    add_to(StatisticsTable &statistics);
+
+  private:
+    const AdaptationParameters                 parameters;
+    std::unique_ptr<ErrorEstimator<dim>>       estimator;
+    Mesh<dim>                                 &mesh;
+    parallel::distributed::Triangulation<dim> *p4est;
+    unsigned int adaptations = 0; ///< since the start
+    unsigned int repetitions = 0; ///< of this step
+    unsigned int levels      = 0; ///< of this adaptation
+
+    // since the last row
+    unsigned int transfer_iterations = 0;
+    double       transfer_residual   = 0.;
+    double       force_change        = 0.; ///< relative
+
+    /// Cells that shall be, over all ranks.
+    struct Flagged
+    {
+      double refined   = 0.;
+      double coarsened = 0.;
+    };
+
+    Flagged
+    mark(ContactProblem<dim> &problem, const LA::BlockVector &x);
+  };
+} // namespace stickslip
+
+#endif

@@ -1,0 +1,81 @@
+#ifndef stickslip_simulation_run_state_h
+#define stickslip_simulation_run_state_h
+
+#include <stickslip/base/amplitude.h>
+
+#include <stickslip/simulation/accepted_state.h>
+#include <stickslip/simulation/discretization.h>
+
+#include <memory>
+
+namespace stickslip
+{
+  /// Where a run is: its mesh, the last accepted state on it, the present
+  /// iterate. All functions are collective.
+  template <int dim>
+  class RunState
+  {
+  public:
+    /// The state zero on @p mesh. The arguments must outlive this object. Throws
+    /// UserError.
+    RunState(const CaseParameters &parameters,
+             Mesh<dim>            &mesh,
+             ConvergenceLog       &log,
+             const StopRequests   &stop_requests);
+
+    ContactProblem<dim> &
+    problem() const
+    {
+      return discretization->problem;
+    }
+
+    StepSolver<dim> &
+    step_solver() const
+    {
+      return discretization->step_solver;
+    }
+
+    /// Goes on from the accepted state as in the last step, for @p size.
+    LA::BlockVector
+    predict(const double size) const;
+
+    /// The present iterate is accepted, after a step of @p size.
+    void
+    accept_step(const double size);
+
+    /// Back to the accepted state.
+    void
+    restore();
+
+    /// The cells of the mesh are others: begins anew on them.
+    void
+    discretize();
+
+    /// Refines and coarsens the cells of @p triangulation, that of the mesh, that
+    /// have flags, and carries the accepted state of load time @p time over.
+    /// Returns its relative imbalance.
+    double
+    adapt_mesh(const double                               time,
+               parallel::distributed::Triangulation<dim> &triangulation);
+
+    /// Brings the accepted state to equilibrium under the loads of its time.
+    /// Returns the Newton iterations. Throws NoConvergence; the state is then
+    /// as before.
+    unsigned int
+    find_equilibrium(const double time, const StepControl &step_control);
+
+    LA::BlockVector x;        ///< present state
+    AcceptedState   accepted; ///< last accepted state
+    WorkBalance     work;
+
+  private:
+    const CaseParameters                &parameters;
+    const Amplitudes                     amplitudes;
+    Mesh<dim>                           &mesh;
+    ConvergenceLog                      &log;
+    const StopRequests                  &stop_requests;
+    std::unique_ptr<Discretization<dim>> discretization;
+  };
+} // namespace stickslip
+
+#endif

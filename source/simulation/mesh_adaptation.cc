@@ -1,0 +1,196 @@
+#include <stickslip/simulation/mesh_adaptation.h>
+
+#include <stickslip/adaptivity/refinement_marking.h>
+
+#include <stickslip/mesh/local_refinement.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// The mesh becomes coarser for its own sake if that many of its cells may:
+    /// each new mesh costs a transfer and an equilibrium.
+    constexpr double worthwhile_share_of_coarse_cells = 0.1;
+
+
+
+    /// Largest change of a force, over the largest force.
+    template <int dim>
+    double
+    relative_change(const std::vector<ContactResultants<dim>> &before,
+                    const std::vector<ContactResultants<dim>> &now)
+    {
+      double change = 0., largest = 0.;
+      for (unsigned int p = 0; p < now.size(); ++p)
+        {
+          const Tensor<1, dim> old =
+            before[p].normal_force + before[p].friction_force;
+          const Tensor<1, dim> present =
+            now[p].normal_force + now[p].friction_force;
+          change  = std::max(change, (present - old).norm());
+          largest = std::max({largest, old.norm(), present.norm()});
+        }
+      return largest > 0. ? change / largest : 0.;
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  MeshAdaptation<dim>::MeshAdaptation(const AdaptationParameters &parameters,
+                                      Mesh<dim>                  &mesh)
+    : parameters(parameters)
+    , mesh(mesh)
+    , p4est(dynamic_cast<parallel::distributed::Triangulation<dim> *>(
+        mesh.triangulation.get()))
+  {
+    if (parameters.is_active())
+      estimator = create_error_estimator<dim>(parameters);
+  }
+
+
+
+  template <int dim>
+  void
+  MeshAdaptation<dim>::begin_step()
+  {
+    repetitions = 0;
+  }
+
+
+
+  template <int dim>
+  typename MeshAdaptation<dim>::Flagged
+  MeshAdaptation<dim>::mark(ContactProblem<dim>   &problem,
+                            const LA::BlockVector &x)
+  {
+    problem.residual(x); // what estimators look at
+    mark_cells(estimate_error(*estimator, problem, x),
+               parameters,
+               mesh.bodies,
+               *p4est);
+    Flagged flagged;
+    for (const auto &cell : p4est->active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          flagged.refined += cell->refine_flag_set() ? 1. : 0.;
+          flagged.coarsened += cell->coarsen_flag_set() ? 1. : 0.;
+        }
+    const MPI_Comm communicator = p4est->get_communicator();
+    return {Utilities::MPI::sum(flagged.refined, communicator),
+            Utilities::MPI::sum(flagged.coarsened, communicator)};
+  }
+
+
+
+  template <int dim>
+  bool
+  MeshAdaptation<dim>::wants_repetition(const unsigned int     step,
+                                        ContactProblem<dim>   &problem,
+                                        const LA::BlockVector &x)
+  {
+    const bool is_repeated =
+      parameters.repetition == Repetition::every_step ||
+      (parameters.repetition == Repetition::first_step && step == 1);
+    if (!is_active() || !is_repeated ||
+        repetitions == parameters.most_repetitions)
+      return false;
+    levels = 1;
+    ++repetitions;
+    return mark(problem, x).refined > 0.;
+  }
+
+
+
+  template <int dim>
+  bool
+  MeshAdaptation<dim>::wants_other_mesh(const unsigned int     step,
+                                        ContactProblem<dim>   &problem,
+                                        const LA::BlockVector &x)
+  {
+    if (!is_active() || parameters.every == 0 || step == 0 ||
+        step % parameters.every > 0)
+      return false;
+    levels               = 1;
+    const Flagged wanted = mark(problem, x);
+    return wanted.refined > 0. ||
+           wanted.coarsened >
+             worthwhile_share_of_coarse_cells * p4est->n_global_active_cells();
+  }
+
+
+
+  template <int dim>
+  bool
+  MeshAdaptation<dim>::wants_another_level(ContactProblem<dim>   &problem,
+                                           const LA::BlockVector &x)
+  {
+    if (!estimator->is_rule() || levels == parameters.most_levels)
+      return false;
+    ++levels;
+    const bool is_wanted = mark(problem, x).refined > 0.;
+    for (const auto &cell : p4est->active_cell_iterators())
+      cell->clear_coarsen_flag(); // they will be, after the next step
+    return is_wanted;
+  }
+
+
+
+  template <int dim>
+  std::string
+  MeshAdaptation<dim>::record_new_mesh(const double residual)
+  {
+    ++adaptations;
+    mesh.cells_by_level = cells_by_level(*p4est);
+    transfer_residual   = std::max(transfer_residual, residual);
+    return describe_levels(mesh.cells_by_level).front();
+  }
+
+
+
+  template <int dim>
+  std::string
+  MeshAdaptation<dim>::record_equilibrium(
+    const unsigned int                         iterations,
+    const std::vector<ContactResultants<dim>> &before,
+    const std::vector<ContactResultants<dim>> &now)
+  {
+    transfer_iterations += iterations;
+    const double change = relative_change(before, now);
+    force_change        = std::max(force_change, change);
+    std::ostringstream text;
+    text.precision(2);
+    text << "equilibrium on the new mesh: " << iterations
+         << " Newton iterations, contact forces changed by " << 100. * change
+         << " %";
+    return text.str();
+  }
+
+
+
+  template <int dim>
+  void
+  MeshAdaptation<dim>::add_to(StatisticsTable &statistics)
+  {
+    if (!is_active())
+      return;
+    statistics.add("cells",
+                   static_cast<double>(p4est->n_global_active_cells()));
+    statistics.add("adaptations", adaptations);
+    statistics.add("repetitions", repetitions);
+    statistics.add("transfer_iterations", transfer_iterations);
+    statistics.add("transfer_residual", transfer_residual);
+    statistics.add("transfer_force_change", force_change);
+    transfer_iterations = 0;
+    transfer_residual   = 0.;
+    force_change        = 0.;
+  }
+
+  template class MeshAdaptation<2>;
+  template class MeshAdaptation<3>;
+} // namespace stickslip

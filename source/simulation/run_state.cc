@@ -1,0 +1,116 @@
+#include <stickslip/simulation/run_state.h>
+
+#include <stickslip/base/no_convergence.h>
+
+#include <stickslip/adaptivity/state_transfer.h>
+
+namespace stickslip
+{
+  template <int dim>
+  RunState<dim>::RunState(const CaseParameters &parameters,
+                          Mesh<dim>            &mesh,
+                          ConvergenceLog       &log,
+                          const StopRequests   &stop_requests)
+    : parameters(parameters)
+    , amplitudes(
+        parameters.make_amplitudes(mesh.triangulation->get_communicator()))
+    , mesh(mesh)
+    , log(log)
+    , stop_requests(stop_requests)
+  {
+    discretize();
+  }
+
+
+
+  template <int dim>
+  void
+  RunState<dim>::discretize()
+  {
+    discretization.reset(); // two at a time would need twice the memory
+    discretization = std::make_unique<Discretization<dim>>(
+      parameters, amplitudes, mesh, log, stop_requests);
+    accepted = AcceptedState::zero(problem());
+    x        = accepted.x;
+  }
+
+
+
+  template <int dim>
+  LA::BlockVector
+  RunState<dim>::predict(const double size) const
+  {
+    LA::BlockVector predicted(accepted.x);
+    predicted.block(0).add(size, accepted.rate);
+    return predicted;
+  }
+
+
+
+  template <int dim>
+  void
+  RunState<dim>::accept_step(const double size)
+  {
+    problem().accept_step(x);
+    accepted.rate = accepted.advance(x, problem(), work);
+    accepted.rate *= 1. / size;
+  }
+
+
+
+  template <int dim>
+  void
+  RunState<dim>::restore()
+  {
+    problem().restore();
+    x = accepted.x;
+  }
+
+
+
+  template <int dim>
+  double
+  RunState<dim>::adapt_mesh(
+    const double                               time,
+    parallel::distributed::Triangulation<dim> &triangulation)
+  {
+    StateTransfer<dim> transfer(problem(), time, accepted.x, accepted.rate);
+    discretization.reset();
+    transfer.execute(triangulation);
+    discretize();
+    transfer.put_into(problem(), time, accepted.x, accepted.rate);
+    const double imbalance  = problem().residual(accepted.x).equilibrium;
+    accepted.nodal_forces   = problem().nodal_forces();
+    accepted.contact_forces = problem().contact_forces();
+    x                       = accepted.x;
+    return imbalance;
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  RunState<dim>::find_equilibrium(const double       time,
+                                  const StepControl &step_control)
+  {
+    problem().solid().stabilization().begin_step(
+      step_control.steps().step_size());
+    step_solver().begin_step();
+    try
+      {
+        step_solver().solve(time, accepted.x, accepted.x, step_control, x);
+      }
+    catch (const NoConvergence &)
+      {
+        restore();
+        throw;
+      }
+    const unsigned int iterations = problem().counts.newton_iterations;
+    problem().accept_step(x);
+    accepted.advance(x, problem(), work);
+    return iterations;
+  }
+
+  template class RunState<2>;
+  template class RunState<3>;
+} // namespace stickslip
