@@ -82,6 +82,26 @@ def test_reference_points(runs):
         check(not differences, f"{name} has the tables of driven {differences[:3]}")
 
 
+def test_adapted(runs):
+    """Meshes that are adapted before and after the interruption, with friction; the same cells on all numbers of ranks."""
+    options = ["Adaptation/Estimator=Kelly", "Adaptation/Most levels=2", "Adaptation/Error target=0.15"]
+    half = ["Load stepping/End time=2"]
+    printed = runs.run("adapted", 1, options=options + SHORT)
+    rows = rows_of(runs.directory / "adapted/statistics.csv")
+    cells = [int(float(row["cells"])) for row in rows]
+    check(cells[0] < cells[1] < cells[2], f"the mesh is adapted in each step: {cells} cells")
+    for n_ranks, other in [(1, 1), (2, 1), (1, 2), (2, 4)]:
+        name = f"adapted-{n_ranks}-{other}"
+        runs.run(name, n_ranks, options=options + half)
+        check(runs.run(name, other, "latest", options + SHORT) == printed, f"{name} prints the same")
+        compare(runs, name, "adapted")
+    runs.run("not-adapted", 2, "adapted-1-1")
+    cells = len(rows_of(runs.directory / "not-adapted/statistics.csv"))
+    check(cells > 0, "an adapted state goes on without adaptation")
+    text = runs.run("adapted-metis", 2, "adapted-1-1", ["Mesh/Partitioner=METIS"], exit_code=1)
+    check("adapted mesh" in text and "p4est" in text, f"METIS cannot take an adapted mesh: {text.strip()[:200]}")
+
+
 def test_algorithms(runs):
     for algorithm in ("GNM", "PNM", "FPM"):
         options = [f"Algorithm/Name={algorithm}"]
@@ -221,8 +241,8 @@ def test_refused(runs):
         refused(damage, "half-2", ["damaged", file, f"half-2/{other}"])
     description = runs.directory / f"half-2/{latest}/description"
     text = description.read_text()
-    description.write_text(text.replace("stickslip checkpoint 4", "stickslip checkpoint 3", 1))
-    refused("an older format", "half-2", ["another version", "format is 3", "reads format 4"])
+    description.write_text(text.replace("stickslip checkpoint 5", "stickslip checkpoint 4", 1))
+    refused("an older format", "half-2", ["another version", "format is 4", "reads format 5"])
     description.write_text(text)
     (runs.directory / file).write_bytes(data)
     (runs.directory / file).unlink()
@@ -234,7 +254,7 @@ def test_refused(runs):
 
 def main():
     runs = Runs(sys.argv[1], pathlib.Path(sys.argv[2]))
-    for test in (test_partitions, test_simplices, test_ties, test_reference_points, test_path_dependence, test_algorithms, test_fallback, test_cuts_and_growth,
+    for test in (test_partitions, test_simplices, test_ties, test_reference_points, test_adapted, test_path_dependence, test_algorithms, test_fallback, test_cuts_and_growth,
                  test_failed_run, test_directory, test_refused):
         test(runs)
     print(f"{len(failures)} comparisons failed")

@@ -2,6 +2,7 @@
 
 #include <stickslip/contact/results/contact_results.h>
 
+#include <stickslip/mesh/agreed_flags.h>
 #include <stickslip/mesh/reference_cells.h>
 
 #include <deal.II/base/array_view.h>
@@ -364,7 +365,6 @@ namespace stickslip
     parallel::distributed::Triangulation<dim> &triangulation)
   {
     using Cell = typename Triangulation<dim>::cell_iterator;
-    triangulation.prepare_coarsening_and_refinement();
     parallel::distributed::CellDataTransfer<dim, dim, std::vector<CellRecord>>
       data(
         triangulation,
@@ -376,7 +376,7 @@ namespace stickslip
           return transfer.to_parent(children);
         });
     data.prepare_for_coarsening_and_refinement(records);
-    triangulation.execute_coarsening_and_refinement();
+    execute_agreed_flags(triangulation);
     std::vector<CellRecord> moved(triangulation.n_active_cells());
     data.unpack(moved);
     records = std::move(moved);

@@ -3,6 +3,8 @@
 #include <stickslip/base/over_ranks.h>
 #include <stickslip/base/user_error.h>
 
+#include <stickslip/mesh/agreed_flags.h>
+
 #include <stickslip/simulation/cell_records.h>
 #include <stickslip/simulation/cell_state.h>
 #include <stickslip/simulation/checkpoint.h>
@@ -131,7 +133,7 @@ namespace stickslip
         throw_collectively(damage, communicator);
         if (!has_flags(*p4est))
           break;
-        p4est->execute_coarsening_and_refinement();
+        execute_agreed_flags(*p4est);
       }
     return description.scalars.adaptations;
   }

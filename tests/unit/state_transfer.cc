@@ -127,7 +127,7 @@ namespace
       end
       subsection Materials
         subsection metal
-          set Law = small strain plasticity
+          set Law = small-strain plasticity
           set Young's modulus = 100
           set Poisson's ratio = 0.3
           set Yield stress = 1
