@@ -40,6 +40,8 @@ namespace stickslip
   LA::BlockVector
   RunState<dim>::predict(const double size) const
   {
+    if (x_is_guess)
+      return x;
     LA::BlockVector predicted(accepted.x);
     predicted.block(0).add(size, accepted.rate);
     return predicted;
@@ -54,6 +56,7 @@ namespace stickslip
     problem().accept_step(x);
     accepted.rate = accepted.advance(x, problem(), work);
     accepted.rate *= 1. / size;
+    x_is_guess = false;
   }
 
 
@@ -63,7 +66,8 @@ namespace stickslip
   RunState<dim>::restore()
   {
     problem().restore();
-    x = accepted.x;
+    x          = accepted.x;
+    x_is_guess = false;
   }
 
 
@@ -74,15 +78,19 @@ namespace stickslip
     const double                               time,
     parallel::distributed::Triangulation<dim> &triangulation)
   {
-    StateTransfer<dim> transfer(problem(), time, accepted.x, accepted.rate);
+    StateTransfer<dim> transfer(problem(),
+                                time,
+                                {accepted.x, accepted.rate, x});
     discretization.reset();
     transfer.execute(triangulation);
     discretize();
-    transfer.put_into(problem(), time, accepted.x, accepted.rate);
-    const double imbalance  = problem().residual(accepted.x).equilibrium;
-    accepted.nodal_forces   = problem().nodal_forces();
-    accepted.contact_forces = problem().contact_forces();
-    x                       = accepted.x;
+    const MeshState state     = transfer.put_into(problem(), time);
+    const double    imbalance = problem().residual(state.x).equilibrium;
+    accepted.x                = state.x;
+    accepted.rate             = state.rate;
+    accepted.nodal_forces     = problem().nodal_forces();
+    accepted.contact_forces   = problem().contact_forces();
+    x                         = state.guess;
     return imbalance;
   }
 
@@ -93,6 +101,13 @@ namespace stickslip
   RunState<dim>::find_equilibrium(const double       time,
                                   const StepControl &step_control)
   {
+    const LA::BlockVector guess      = x;
+    const bool            has_guess  = x_is_guess;
+    const auto            keep_guess = [&]() {
+      x_is_guess = has_guess;
+      if (has_guess)
+        x = guess;
+    };
     problem().solid().stabilization().begin_step(
       step_control.steps().step_size());
     step_solver().begin_step();
@@ -103,11 +118,13 @@ namespace stickslip
     catch (const NoConvergence &)
       {
         restore();
+        keep_guess();
         throw;
       }
     const unsigned int iterations = problem().counts.newton_iterations;
     problem().accept_step(x);
     accepted.advance(x, problem(), work);
+    keep_guess();
     return iterations;
   }
 

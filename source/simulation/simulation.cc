@@ -164,7 +164,7 @@ namespace stickslip
                                      problem(),
                                      state.x))
       return false;
-    state.restore();
+    state.repeat_step();
     adapt_mesh();
     state.step_solver().begin_step();
     return true;

@@ -12,12 +12,22 @@
 
 namespace stickslip
 {
+  /// What a run has on a mesh. Vectors of locally owned entries.
+  struct MeshState
+  {
+    LA::BlockVector x;     ///< the accepted displacements and multipliers
+    LA::Vector      rate;  ///< of the displacements, where they go
+    LA::BlockVector guess; ///< where the next solution may be; often x
+  };
+
+
+
   /**
-   * Carries an accepted state from one mesh to the next: displacements and
-   * their rate, histories of the materials, multipliers and slip of the contact
-   * surfaces, cut into records of cells (CellTransfer) that travel with
-   * them. Three calls, between which the old problem is destroyed and the new
-   * one is made: constructor, execute(), put_into(). All are collective.
+   * Carries a state from one mesh to the next: displacements, multipliers, the
+   * histories of the materials, the slip of the contact surfaces, cut into
+   * records of cells (CellTransfer) that travel with them. Three calls, between
+   * which the old problem is destroyed and the new one is made: constructor,
+   * execute(), put_into(). All are collective.
    *
    * What is not carried follows from the rest: pairings and statuses from the
    * positions, adapted regularization parameters from new cycles.
@@ -26,25 +36,21 @@ namespace stickslip
   class StateTransfer
   {
   public:
-    /// Takes the state @p x at @p time out of @p problem, with the accepted
-    /// histories; @p rate is a field like the displacement.
-    StateTransfer(ContactProblem<dim>   &problem,
-                  const double           time,
-                  const LA::BlockVector &x,
-                  const LA::Vector      &rate);
+    /// Takes @p state at load time @p time out of @p problem, with the accepted
+    /// histories.
+    StateTransfer(ContactProblem<dim> &problem,
+                  const double         time,
+                  const MeshState     &state);
 
     /// Refines and coarsens the cells of @p triangulation that have flags, and
     /// distributes them anew.
     void
     execute(parallel::distributed::Triangulation<dim> &triangulation);
 
-    /// The state on the new mesh, as a first guess: it is not in equilibrium.
-    /// @p problem is ready for an iteration at it.
-    void
-    put_into(ContactProblem<dim> &problem,
-             const double         time,
-             LA::BlockVector     &x,
-             LA::Vector          &rate) const;
+    /// The state on the new mesh: a first guess, not in equilibrium.
+    /// @p problem is ready for an iteration at its x.
+    MeshState
+    put_into(ContactProblem<dim> &problem, const double time) const;
 
   private:
     const std::unique_ptr<FiniteElement<dim>> element; ///< scalar

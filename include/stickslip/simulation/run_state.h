@@ -35,7 +35,8 @@ namespace stickslip
       return discretization->step_solver;
     }
 
-    /// Goes on from the accepted state as in the last step, for @p size.
+    /// Where a step of @p size may lead: goes on from the accepted state as in
+    /// the last step, or to what repeat_step() has kept.
     LA::BlockVector
     predict(const double size) const;
 
@@ -47,13 +48,22 @@ namespace stickslip
     void
     restore();
 
+    /// The step that has led to the present iterate will be solved once more,
+    /// which begins there.
+    void
+    repeat_step()
+    {
+      problem().restore();
+      x_is_guess = true;
+    }
+
     /// The cells of the mesh are others: begins anew on them.
     void
     discretize();
 
     /// Refines and coarsens the cells of @p triangulation, that of the mesh, that
-    /// have flags, and carries the accepted state of load time @p time over.
-    /// Returns its relative imbalance.
+    /// have flags, and carries the accepted state of load time @p time and the
+    /// present iterate over. Returns the relative imbalance of the first.
     double
     adapt_mesh(const double                               time,
                parallel::distributed::Triangulation<dim> &triangulation);
@@ -75,6 +85,7 @@ namespace stickslip
     ConvergenceLog                      &log;
     const StopRequests                  &stop_requests;
     std::unique_ptr<Discretization<dim>> discretization;
+    bool                                 x_is_guess = false;
   };
 } // namespace stickslip
 
