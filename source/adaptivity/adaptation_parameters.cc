@@ -47,15 +47,15 @@ namespace stickslip
                marking,
                all_markings(),
                "Which cells an estimated error wants finer or coarser. 'fixed "
-               "fraction': the fewest that hold Refine fraction of the sum of "
-               "the squared indicators, and the most that hold Coarsen "
-               "fraction of it. 'fixed number': these fractions of the cells, "
-               "those with the largest and those with the smallest "
-               "indicators. 'error target': those with more than the share "
-               "of Error target that falls to each cell, as long as the whole "
-               "error is larger than that, and those with much less. Cells of "
-               "rigid bodies do not count. ('contact zone' and 'contact edge' "
-               "mark their cells, whatever stands here.)");
+               "fraction': those with the largest indicators, the squares of "
+               "which have about Refine fraction of the sum of all squares, "
+               "and those with the smallest, which have about Coarsen "
+               "fraction of it. 'fixed number': these fractions of the cells. "
+               "'error target': those with more than the share of Error "
+               "target that falls to each cell, as long as the whole error is "
+               "larger than that, and those with much less. Cells of rigid "
+               "bodies do not count. ('contact zone' and 'contact edge' mark "
+               "their cells, whatever stands here.)");
     prm.add_parameter(
       "Every",
       every,
@@ -117,7 +117,8 @@ namespace stickslip
 
 
   void
-  AdaptationParameters::check(const std::string &path) const
+  AdaptationParameters::check(const std::string &path,
+                              const bool         has_contact) const
   {
     if (least_levels > most_levels)
       throw UserError(path + "/Least levels = " + std::to_string(least_levels) +
@@ -132,8 +133,12 @@ namespace stickslip
              << ", so that no cell is in both.";
         throw UserError(text.str());
       }
-    if (distance > 0. && estimator != "contact zone" &&
-        estimator != "contact edge")
+    if (is_about_contact() && !has_contact)
+      throw UserError(path + "/Estimator = " + estimator +
+                      ": there is no contact. Add a pair to section 'Contact', "
+                      "or take an estimator of errors: 'residual', "
+                      "'recovery', 'Kelly'.");
+    if (distance > 0. && !is_about_contact())
       throw UserError(path + "/Distance is given, but 'Estimator = " +
                       estimator + "' has no use for it.");
   }

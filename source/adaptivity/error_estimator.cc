@@ -1,6 +1,9 @@
 #include <stickslip/adaptivity/error_estimator.h>
 
+#include <stickslip/adaptivity/contact_zone.h>
 #include <stickslip/adaptivity/kelly_estimator.h>
+#include <stickslip/adaptivity/recovery_estimator.h>
+#include <stickslip/adaptivity/residual_estimator.h>
 
 #include <stickslip/base/registry.h>
 
@@ -20,12 +23,38 @@ namespace stickslip
     {
       static const EstimatorRegistry<dim> registry(
         "error estimator",
-        {{"Kelly",
+        {{"residual",
+          "what the stresses lack of equilibrium, inside of cells, between "
+          "them, with loads, and with the tractions of contact on both "
+          "surfaces; what is left of the contact law between its points",
+          [](const AdaptationParameters &) {
+            return std::make_unique<ResidualEstimator<dim>>();
+          }},
+         {"recovery",
+          "smoothed stresses minus computed ones (Zienkiewicz and Zhu); the "
+          "estimate that is nearest to the error where the solution is "
+          "smooth; knows neither loads nor contact",
+          [](const AdaptationParameters &) {
+            return std::make_unique<RecoveryEstimator<dim>>();
+          }},
+         {"Kelly",
           "jumps of the normal derivatives of the displacements between the "
           "cells of a body (deal.II's KellyErrorEstimator); knows neither "
           "loads nor contact, and sees errors where materials meet",
           [](const AdaptationParameters &) {
             return std::make_unique<KellyEstimator<dim>>();
+          }},
+         {"contact zone",
+          "no error, but the cells on both sides with a face in contact or "
+          "with a gap smaller than Distance",
+          [](const AdaptationParameters &parameters) {
+            return std::make_unique<ContactZone<dim>>(parameters.distance);
+          }},
+         {"contact edge",
+          "no error, but the cells on both sides with a contact face within "
+          "Distance of where contact ends, or sticking begins",
+          [](const AdaptationParameters &parameters) {
+            return std::make_unique<ContactEdge<dim>>(parameters.distance);
           }}});
       return registry;
     }

@@ -160,7 +160,8 @@ namespace stickslip
                           const Mapping<dim>        &mapping,
                           const DoFHandler<dim>     &dof_handler,
                           const LA::Vector          &displacement,
-                          const MaterialFields<dim> &material)
+                          const MaterialFields<dim> &material,
+                          const NamedCellValues     &of_cells)
   {
     const unsigned int    degree = dof_handler.get_fe().degree;
     const ReferenceCell   cell   = dof_handler.get_fe().reference_cell();
@@ -188,6 +189,8 @@ namespace stickslip
         projection->clear_fields(); // data_out has copies
       }
     cell_fields.attach_to(data_out);
+    for (const auto &[name, values] : of_cells)
+      data_out.add_data_vector(values, name, DataOut<dim>::type_cell_data);
 
     DataOutBase::VtkFlags flags;
     flags.compression_level   = decltype(flags.compression_level)::best_speed;

@@ -231,7 +231,8 @@ namespace stickslip
     check_named_list("Bodies", bodies);
     for (const auto &[name, rule] : refinement)
       rule.check("Refinement/" + name, dimension);
-    adaptation.check("Adaptation");
+    adaptation.check("Adaptation",
+                     !contact_pairs.empty() || automatic_contact.active);
     for (const auto &[name, material] : materials)
       material.check("Materials/" + name, dimension, degree);
     check_named_list("Amplitudes", amplitudes);

@@ -45,13 +45,11 @@ namespace stickslip
   MeshAdaptation<dim>::MeshAdaptation(const AdaptationParameters &parameters,
                                       Mesh<dim>                  &mesh)
     : parameters(parameters)
+    , error(parameters)
     , mesh(mesh)
     , p4est(dynamic_cast<parallel::distributed::Triangulation<dim> *>(
         mesh.triangulation.get()))
-  {
-    if (parameters.is_active())
-      estimator = create_error_estimator<dim>(parameters);
-  }
+  {}
 
 
 
@@ -70,10 +68,8 @@ namespace stickslip
                             const LA::BlockVector &x)
   {
     problem.residual(x); // what estimators look at
-    mark_cells(estimate_error(*estimator, problem, x),
-               parameters,
-               mesh.bodies,
-               *p4est);
+    error.update(problem, x);
+    mark_cells(*error.get(), parameters, mesh.bodies, *p4est);
     Flagged flagged;
     for (const auto &cell : p4est->active_cell_iterators())
       if (cell->is_locally_owned())
@@ -130,7 +126,7 @@ namespace stickslip
   MeshAdaptation<dim>::wants_another_level(ContactProblem<dim>   &problem,
                                            const LA::BlockVector &x)
   {
-    if (!estimator->is_rule() || levels == parameters.most_levels)
+    if (!error.get()->is_rule || levels == parameters.most_levels)
       return false;
     ++levels;
     const bool is_wanted = mark(problem, x).refined > 0.;
@@ -186,6 +182,7 @@ namespace stickslip
     statistics.add("transfer_iterations", transfer_iterations);
     statistics.add("transfer_residual", transfer_residual);
     statistics.add("transfer_force_change", force_change);
+    error.add_to(statistics);
     transfer_iterations = 0;
     transfer_residual   = 0.;
     force_change        = 0.;

@@ -48,7 +48,8 @@ namespace stickslip
                         const double                               time,
                         const bool                                 is_last,
                         ContactProblem<dim>                       &problem,
-                        const std::vector<ContactFaceResult<dim>> &faces)
+                        const std::vector<ContactFaceResult<dim>> &faces,
+                        const NamedCellValues                     &cell_values)
   {
     const DofLayout<dim>     &layout       = problem.layout();
     const LA::Vector         &displacement = problem.ghosted_displacement();
@@ -61,7 +62,8 @@ namespace stickslip
                            layout.mapping,
                            layout.dof_handler,
                            displacement,
-                           material);
+                           material,
+                           cell_values);
         if (!parameters.contact_pairs.empty())
           contact_output.write(step, time, faces);
       }

@@ -224,6 +224,7 @@ namespace stickslip
   {
     state.accept_step(steps().next_time() - steps().time());
     step_control.accept_step(solved, problem().counts.newton_iterations);
+    adaptation.accept_step(problem(), state.x);
 
     const auto faces      = contact_results(problem().contact());
     const auto resultants = resultants_of(faces);
@@ -233,7 +234,12 @@ namespace stickslip
     write_statistics();
     const unsigned int step = steps().step_number();
     output.forces.write(step, steps().time(), resultants, problem());
-    output.write(step, steps().time(), steps().finished(), problem(), faces);
+    output.write(step,
+                 steps().time(),
+                 steps().finished(),
+                 problem(),
+                 faces,
+                 adaptation.fields());
     if (parameters.output.is_saved(step, steps().finished()))
       write_checkpoint(step_control.state());
     if (step == 1)

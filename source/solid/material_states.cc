@@ -74,9 +74,10 @@ namespace stickslip
       {
         const Tensor<2, 3> F =
           law.full_deformation_gradient(deformation.for_law(q), new_variables);
-        state.cauchy_stress = law.cauchy_stress(F, P);
-        state.strain        = law.strain(F);
-        state.history       = history_fields.values(material, new_variables);
+        state.cauchy_stress  = law.cauchy_stress(F, P);
+        state.strain         = law.strain(F);
+        state.nominal_stress = deformation.nominal_stress(q, P);
+        state.history        = history_fields.values(material, new_variables);
       }
     return state;
   }

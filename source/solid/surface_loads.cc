@@ -72,42 +72,35 @@ namespace stickslip
                               const bool          with_tangent,
                               ElementArrays<dim> &element)
   {
+    const bool is_spring = load.type == BoundaryConditionType::spring;
+    const bool follows = load.type == BoundaryConditionType::follower_pressure;
     for (const unsigned int q : fe_face_values.quadrature_point_indices())
       {
-        const Point<dim>     &X = fe_face_values.quadrature_point(q);
-        const Tensor<1, dim> &N = fe_face_values.normal_vector(q);
-        switch (load.type)
+        Tensor<2, dim> F;
+        Tensor<1, dim> u;
+        if (follows)
           {
-            case BoundaryConditionType::traction:
-              element.add_load(fe_face_values,
-                               q,
-                               load.vector(X, time),
-                               element.external);
-              break;
-            case BoundaryConditionType::pressure:
-              element.add_load(fe_face_values,
-                               q,
-                               -load.pressure(X, time) * N,
-                               element.external);
-              break;
-            case BoundaryConditionType::follower_pressure:
-              add_follower_pressure(load.pressure(X, time),
-                                    q,
-                                    with_tangent,
-                                    element);
-              break;
-            case BoundaryConditionType::spring:
-              element.add_load(fe_face_values,
-                               q,
-                               load.stiffness *
-                                 element.displacement(fe_face_values, q),
-                               element.internal);
-              if (with_tangent)
-                element.add_load_tangent(fe_face_values, q, load.stiffness);
-              break;
-            default:
-              Assert(false, ExcInternalError());
+            element.set_gradients(fe_face_values, q);
+            const Tensor<2, 3> F_full = element.deformation_gradient();
+            for (unsigned int i = 0; i < dim; ++i)
+              for (unsigned int J = 0; J < dim; ++J)
+                F[i][J] = F_full[i][J];
           }
+        if (is_spring)
+          u = element.displacement(fe_face_values, q);
+        const Tensor<1, dim> force =
+          surface_force(load,
+                        fe_face_values.quadrature_point(q),
+                        fe_face_values.normal_vector(q),
+                        F,
+                        u,
+                        time);
+        if (is_spring)
+          element.add_load(fe_face_values, q, -force, element.internal);
+        else
+          element.add_load(fe_face_values, q, force, element.external);
+        if (with_tangent)
+          add_tangent(load, q, F, time, element);
       }
   }
 
@@ -115,28 +108,49 @@ namespace stickslip
 
   template <int dim>
   void
-  SurfaceLoads<dim>::add_follower_pressure(const double        pressure,
-                                           const unsigned int  q,
-                                           const bool          with_tangent,
-                                           ElementArrays<dim> &element)
+  SurfaceLoads<dim>::add_tangent(const Load<dim>      &load,
+                                 const unsigned int    q,
+                                 const Tensor<2, dim> &F,
+                                 const double          time,
+                                 ElementArrays<dim>   &element)
   {
-    element.set_gradients(fe_face_values, q);
-    const Tensor<2, 3> F_full = element.deformation_gradient();
-    Tensor<2, dim>     F;
-    for (unsigned int i = 0; i < dim; ++i)
-      for (unsigned int J = 0; J < dim; ++J)
-        F[i][J] = F_full[i][J];
-
-    const Tensor<1, dim> &N = fe_face_values.normal_vector(q);
-    element.add_load(fe_face_values,
-                     q,
-                     -pressure * (cofactor(F) * N),
-                     element.external);
+    if (load.type == BoundaryConditionType::spring)
+      element.add_load_tangent(fe_face_values, q, load.stiffness);
     // An external force: its derivative enters the tangent with a minus.
-    if (with_tangent)
-      element.add_load_gradient_tangent(fe_face_values,
-                                        q,
-                                        pressure * cofactor_derivative(F, N));
+    if (load.type == BoundaryConditionType::follower_pressure)
+      element.add_load_gradient_tangent(
+        fe_face_values,
+        q,
+        load.pressure(fe_face_values.quadrature_point(q), time) *
+          cofactor_derivative(F, fe_face_values.normal_vector(q)));
+  }
+
+
+
+  template <int dim>
+  Tensor<1, dim>
+  surface_force(const Load<dim>      &load,
+                const Point<dim>     &X,
+                const Tensor<1, dim> &N,
+                const Tensor<2, dim> &F,
+                const Tensor<1, dim> &u,
+                const double          time)
+  {
+    switch (load.type)
+      {
+        case BoundaryConditionType::traction:
+          return load.vector(X, time);
+        case BoundaryConditionType::pressure:
+          return -load.pressure(X, time) * N;
+        case BoundaryConditionType::follower_pressure:
+          return -load.pressure(X, time) * (cofactor(F) * N);
+        case BoundaryConditionType::spring:
+          return load.active.contains(time) ? -1. * (load.stiffness * u)
+                                            : Tensor<1, dim>();
+        default:
+          Assert(false, ExcInternalError());
+          return {};
+      }
   }
 
 
@@ -202,6 +216,15 @@ namespace stickslip
 
 
 
-  template class SurfaceLoads<2>;
-  template class SurfaceLoads<3>;
+#define INSTANTIATE(dim)                                        \
+  template class SurfaceLoads<dim>;                             \
+  template Tensor<1, dim> surface_force(const Load<dim> &,      \
+                                        const Point<dim> &,     \
+                                        const Tensor<1, dim> &, \
+                                        const Tensor<2, dim> &, \
+                                        const Tensor<1, dim> &, \
+                                        const double);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace stickslip

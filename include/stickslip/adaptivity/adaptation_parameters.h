@@ -55,6 +55,13 @@ namespace stickslip
     /// `Mesh/Global refinements`, from which levels count.
     unsigned int global_refinements = 0;
 
+    /// True if the estimator is a rule about contact.
+    bool
+    is_about_contact() const
+    {
+      return estimator == "contact zone" || estimator == "contact edge";
+    }
+
     bool
     is_active() const
     {
@@ -64,9 +71,10 @@ namespace stickslip
     void
     add_parameters(ParameterHandler &prm);
 
-    /// Throws UserError for what contradicts itself; @p path is the section.
+    /// Throws UserError for what contradicts itself, or the case, which
+    /// @p has_contact or not; @p path is the section.
     void
-    check(const std::string &path) const;
+    check(const std::string &path, const bool has_contact) const;
   };
 } // namespace stickslip
 

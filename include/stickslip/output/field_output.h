@@ -11,13 +11,24 @@
 
 #include <deal.II/fe/mapping.h>
 
+#include <deal.II/lac/vector.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace stickslip
 {
+  /// Numbers of cells by name, by active_cell_index.
+  using NamedCellValues = std::vector<std::pair<std::string, Vector<float>>>;
+
+
+
   /**
    * The fields of the bodies as files for ParaView: displacement, Cauchy
    * stress, von Mises stress, strain, history variables of the laws (such as
-   * the equivalent plastic strain) by their names, body, material region and
-   * rank.
+   * the equivalent plastic strain) by their names, body, material region, rank,
+   * and what else is known of each cell.
    *
    * Stress, strain and history are projected cell by cell (L2) to discontinuous
    * (bi-, tri-)linears and never averaged over cells, so that jumps between
@@ -49,7 +60,8 @@ namespace stickslip
           const Mapping<dim>        &mapping,
           const DoFHandler<dim>     &dof_handler,
           const LA::Vector          &displacement,
-          const MaterialFields<dim> &material);
+          const MaterialFields<dim> &material,
+          const NamedCellValues     &of_cells = {});
 
   private:
     const bool    deformed;

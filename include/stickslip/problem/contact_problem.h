@@ -103,6 +103,33 @@ namespace stickslip
       return constraints->unapplied_displacement_of(time, x.block(0));
     }
 
+    /// Load time of the step.
+    double
+    present_time() const
+    {
+      return time;
+    }
+
+    /// Constraints of displacements and multipliers as of the last residual:
+    /// all, and those of hanging nodes and periodicity alone.
+    const Constraints &
+    increment_constraints() const
+    {
+      return constraints->increment();
+    }
+
+    const Constraints &
+    geometric_constraints() const
+    {
+      return constraints->geometric();
+    }
+
+    const BoundaryConditions<dim> &
+    conditions() const
+    {
+      return boundary_conditions;
+    }
+
     /// Moves the rigid bodies to where their motion has them at the time of the
     /// step, in @p displacement (not ghosted).
     void

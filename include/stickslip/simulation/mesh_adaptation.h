@@ -1,14 +1,14 @@
 #ifndef stickslip_simulation_mesh_adaptation_h
 #define stickslip_simulation_mesh_adaptation_h
 
-#include <stickslip/adaptivity/error_estimator.h>
-
 #include <stickslip/mesh/mesh_builder.h>
 
 #include <stickslip/output/contact_resultants.h>
 #include <stickslip/output/statistics_table.h>
 
 #include <stickslip/problem/contact_problem.h>
+
+#include <stickslip/simulation/estimated_error.h>
 
 #include <deal.II/distributed/tria.h>
 
@@ -33,7 +33,7 @@ namespace stickslip
     bool
     is_active() const
     {
-      return estimator != nullptr;
+      return parameters.is_active();
     }
 
     /// A step begins: nothing is known of its solution.
@@ -57,6 +57,21 @@ namespace stickslip
     wants_other_mesh(const unsigned int     step,
                      ContactProblem<dim>   &problem,
                      const LA::BlockVector &x);
+
+    /// A step has been accepted with the state @p x, whose error the statistics and
+    /// fields() show. Collective.
+    void
+    accept_step(ContactProblem<dim> &problem, const LA::BlockVector &x)
+    {
+      error.update(problem, x);
+    }
+
+    /// Cell by cell.
+    NamedCellValues
+    fields() const
+    {
+      return error.fields(*mesh.triangulation);
+    }
 
     /// The mesh has been adapted and has the state @p x: a rule may want it still
     /// finer, which needs no further solution. Flags cells and returns true if
@@ -104,7 +119,7 @@ namespace stickslip
 
   private:
     const AdaptationParameters                 parameters;
-    std::unique_ptr<ErrorEstimator<dim>>       estimator;
+    EstimatedError<dim>                        error;
     Mesh<dim>                                 &mesh;
     parallel::distributed::Triangulation<dim> *p4est;
     unsigned int adaptations = 0; ///< since the start

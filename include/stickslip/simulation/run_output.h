@@ -35,13 +35,15 @@ namespace stickslip
     void
     resume(const double time);
 
-    /// The fields and values of an accepted step; @p faces are its contact.
+    /// The fields and values of an accepted step; @p faces are its contact,
+    /// @p cell_values further fields.
     void
     write(const unsigned int                         step,
           const double                               time,
           const bool                                 is_last,
           ContactProblem<dim>                       &problem,
-          const std::vector<ContactFaceResult<dim>> &faces);
+          const std::vector<ContactFaceResult<dim>> &faces,
+          const NamedCellValues                     &cell_values);
 
     const PointValues<dim> &
     points() const

@@ -37,6 +37,14 @@ namespace stickslip
       return seen[q];
     }
 
+    /// First Piola-Kirchhoff stress in the cell, @p P being the law's answer at
+    /// point @p q.
+    Tensor<2, 3>
+    nominal_stress(const unsigned int q, const Tensor<2, 3> &P) const
+    {
+      return rule ? rule->nominal_stress(F[q], mean, P) : P;
+    }
+
     unsigned int
     failed_point() const
     {

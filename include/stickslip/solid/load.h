@@ -49,6 +49,13 @@ namespace stickslip
       return frame ? frame->vector(X, components) : components;
     }
 
+    /// True if it is applied to boundary faces.
+    bool
+    is_on_surface() const
+    {
+      return type != BoundaryConditionType::body_force;
+    }
+
     double
     pressure(const Point<dim> &X, const double time) const
     {

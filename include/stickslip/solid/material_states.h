@@ -36,6 +36,8 @@ namespace stickslip
     double                JxW; ///< reference volume
     SymmetricTensor<2, 3> cauchy_stress;
     SymmetricTensor<2, 3> strain; ///< as the law defines it
+    /// First Piola-Kirchhoff stress, in equilibrium with the loads.
+    Tensor<2, 3> nominal_stress;
 
     /// In the order of MaterialStates::history_names(); 0 for those of other
     /// laws.

@@ -76,6 +76,16 @@ namespace stickslip
              const Tensor<2, 3> &P,
              const Tensor<4, 3> *A) const;
 
+    /// First Piola-Kirchhoff stress in the cell, if @p P is the law's answer to
+    /// modified(F).
+    Tensor<2, 3>
+    nominal_stress(const Tensor<2, 3> &F,
+                   const double        mean,
+                   const Tensor<2, 3> &P) const
+    {
+      return small_strains ? P : response(F, mean, P, nullptr).P;
+    }
+
     /// Not const, so that objects can be assigned.
     bool small_strains;
 

@@ -55,15 +55,30 @@ namespace stickslip
              ElementArrays<dim> &element);
 
     void
-    add_follower_pressure(const double        pressure,
-                          const unsigned int  q,
-                          const bool          with_tangent,
-                          ElementArrays<dim> &element);
+    add_tangent(const Load<dim>      &load,
+                const unsigned int    q,
+                const Tensor<2, dim> &F,
+                const double          time,
+                ElementArrays<dim>   &element);
 
     std::map<types::boundary_id, std::vector<const Load<dim> *>> loads_of;
 
     FEFaceValues<dim> fe_face_values;
   };
+
+  /**
+   * Force of @p load per reference area at a point X of a face with the outward
+   * normal N, as an external force. Follower pressures need the deformation
+   * gradient @p F, springs the displacement @p u, other loads neither.
+   */
+  template <int dim>
+  Tensor<1, dim>
+  surface_force(const Load<dim>      &load,
+                const Point<dim>     &X,
+                const Tensor<1, dim> &N,
+                const Tensor<2, dim> &F,
+                const Tensor<1, dim> &u,
+                const double          time);
 
   /**
    * Cofactor of F (dim x dim), cof(F) = det(F) F^{-T}, as a polynomial: also

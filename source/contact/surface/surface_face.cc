@@ -104,6 +104,20 @@ namespace stickslip
 
 
   template <int dim>
+  std::vector<unsigned int>
+  nodes_of_face(const FiniteElement<dim> &fe,
+                const unsigned int        f,
+                const FaceShape<dim>     &shape)
+  {
+    const std::vector<Point<dim>> &nodes = fe.get_unit_support_points();
+    return fe.reference_cell().is_simplex()
+             ? simplex_face_nodes(nodes, f, shape)
+             : lexicographic_face_nodes(nodes, f);
+  }
+
+
+
+  template <int dim>
   std::vector<CollectedFace<dim>>
   collect_faces(const Mapping<dim>                 &mapping,
                 const DoFHandler<dim>              &dof_handler,
@@ -138,10 +152,9 @@ namespace stickslip
             SurfaceFace<dim> face;
             face.id.cell = cell->id().template to_binary<dim>();
             face.id.face = f;
+            face.owner   = cell->subdomain_id();
             for (const unsigned int i :
-                 has_simplices
-                   ? simplex_face_nodes(support.get_points(), f, shape)
-                   : lexicographic_face_nodes(support.get_points(), f))
+                 nodes_of_face(fe.base_element(0), f, shape))
               {
                 face.reference_positions.push_back(
                   fe_values.quadrature_point(i));
@@ -252,24 +265,20 @@ namespace stickslip
     faces = owned;
   }
 
-  template std::vector<CollectedFace<2>>
-  collect_faces(const Mapping<2> &,
-                const DoFHandler<2> &,
-                const std::set<types::boundary_id> &,
-                const std::function<double(const types::material_id)> &,
-                const bool);
-  template std::vector<CollectedFace<3>>
-  collect_faces(const Mapping<3> &,
-                const DoFHandler<3> &,
-                const std::set<types::boundary_id> &,
-                const std::function<double(const types::material_id)> &,
-                const bool);
-  template void
-  add_nodal_normals(std::vector<CollectedFace<2>> &,
-                    const FaceShape<2> &,
-                    const double);
-  template void
-  add_nodal_normals(std::vector<CollectedFace<3>> &,
-                    const FaceShape<3> &,
-                    const double);
+#define INSTANTIATE(dim)                                                       \
+  template std::vector<unsigned int> nodes_of_face(const FiniteElement<dim> &, \
+                                                   const unsigned int,         \
+                                                   const FaceShape<dim> &);    \
+  template std::vector<CollectedFace<dim>> collect_faces(                      \
+    const Mapping<dim> &,                                                      \
+    const DoFHandler<dim> &,                                                   \
+    const std::set<types::boundary_id> &,                                      \
+    const std::function<double(const types::material_id)> &,                   \
+    const bool);                                                               \
+  template void add_nodal_normals(std::vector<CollectedFace<dim>> &,           \
+                                  const FaceShape<dim> &,                      \
+                                  const double);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace stickslip

@@ -59,6 +59,13 @@ namespace stickslip
       return faces;
     }
 
+    /// The present segments of mortar face @p f.
+    const FaceSegments<dim> &
+    segments(const unsigned int f) const
+    {
+      return (*current->segments)[f];
+    }
+
     /// See symmetry_projection().
     void
     find_symmetry_planes(const Constraints &supports);

@@ -79,6 +79,7 @@ namespace stickslip
   struct SurfaceFace
   {
     FaceId                               id;
+    unsigned int                         owner   = 0; ///< rank of its cell
     unsigned int                         n_nodes = 0;
     std::vector<types::global_dof_index> dofs;   ///< [stencil node * dim + c]
     std::vector<Point<dim>> reference_positions; ///< of the stencil
@@ -110,8 +111,8 @@ namespace stickslip
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &id &n_nodes &dofs &reference_positions &orientation &compliance
-        &diameter &thickness &nodal_normals;
+      archive &id &owner &n_nodes &dofs &reference_positions &orientation
+        &compliance &diameter &thickness &nodal_normals;
     }
   };
 
@@ -193,6 +194,14 @@ namespace stickslip
   };
 
 
+
+  /// Numbers of the shape functions of the scalar element @p fe with a node on
+  /// face @p f of a cell, in the order of @p shape.
+  template <int dim>
+  std::vector<unsigned int>
+  nodes_of_face(const FiniteElement<dim> &fe,
+                const unsigned int        f,
+                const FaceShape<dim>     &shape);
 
   /**
    * Faces with the given boundary ids on locally owned cells and, if
