@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace stickslip
 {
@@ -92,6 +93,10 @@ namespace stickslip
             pair.table.displacement[point.geometry.quadrature_index].value;
           const unsigned int k =
             std::max_element(N.begin(), N.end()) - N.begin();
+          const SurfaceFace<dim> &face =
+            pair.slave_faces[point.geometry.slave_face].face;
+          if (pair.excluded_keys().count(face.dofs[k * dim]) > 0)
+            continue; // a support has what there would be
           const ContactEvaluation<dim> &state = contact.evaluate(pair, point);
           known[point.geometry.slave_face][k] =
             point.pairing.paired && state.status.closed
@@ -120,12 +125,161 @@ namespace stickslip
 
 
 
+    /// Tractions of the master surfaces of pairs without segments, from the
+    /// forces on their nodes over the areas of the nodes. The force of a single
+    /// point acts on one face, also if the point is opposite to a vertex; that
+    /// of a node is shared by all faces around it.
+    template <int dim>
+    class NodalTractions
+    {
+    public:
+      explicit NodalTractions(const DofLayout<dim> &dofs)
+        : dofs(dofs)
+        , forces(dofs.owned, dofs.dof_handler.get_communicator())
+        , areas(forces)
+      {}
+
+      void
+      add(const ContactSample<dim> &sample, const Tensor<1, dim> &force)
+      {
+        for (unsigned int j = 0; j < sample.N_master.size(); ++j)
+          for (unsigned int c = 0; c < dim; ++c)
+            forces(sample.master.dofs[j * dim + c]) +=
+              sample.N_master[j] * force[c];
+      }
+
+      /// Sends the tractions at the nodes of the owned master faces of the
+      /// pairs. Collective.
+      void
+      send(const ContactAssembler<dim> &contact, FaceMessages<dim> &messages)
+      {
+        const auto for_each_face = [&](const auto &visit) {
+          for (const auto &pair : contact.contact_pairs())
+            if (!pair->mortar)
+              for (const SurfaceFace<dim> &face : pair->patch->owned_faces())
+                visit(face, pair->displacement_shape);
+        };
+        // a face may be in several pairs; its nodes have the forces of all
+        std::set<FaceId> seen;
+        for_each_face([&](const auto &face, const auto &shape) {
+          if (seen.insert(face.id).second)
+            add_areas(face, shape);
+        });
+        seen.clear();
+        const LA::Vector all_forces = ghosted(forces);
+        const LA::Vector all_areas  = ghosted(areas);
+        for_each_face([&](const auto &face, const auto &) {
+          if (!seen.insert(face.id).second)
+            return;
+          const unsigned int   n       = face.n_nodes * dim;
+          std::vector<double> &numbers = messages.to(face, message_size(n));
+          for (unsigned int i = 0; i < n; ++i)
+            numbers[first_traction(n) + i] +=
+              nodal_value(face, i, all_forces, all_areas);
+        });
+      }
+
+    private:
+      const DofLayout<dim> &dofs;
+      LA::Vector            forces, areas;
+
+      void
+      add_areas(const SurfaceFace<dim> &face, const FaceShape<dim> &shape)
+      {
+        const auto quadrature =
+          gauss_quadrature<dim - 1>(shape.reference_cell(), shape.degree() + 1);
+        const auto           nodes = face.undeformed_nodes();
+        FaceShapeValues<dim> values;
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
+          {
+            shape.evaluate(quadrature.point(q), values);
+            const double area =
+              quadrature.weight(q) *
+              surface_normal<dim>(surface_tangents<dim>(values.gradient, nodes))
+                .norm();
+            for (unsigned int j = 0; j < face.n_nodes; ++j)
+              for (unsigned int c = 0; c < dim; ++c)
+                areas(face.dofs[j * dim + c]) += values.value[j] * area;
+          }
+      }
+
+      /// Force over area; of a node without area (vertices of quadratic
+      /// triangles) those of all nodes of the face.
+      static double
+      nodal_value(const SurfaceFace<dim> &face,
+                  const unsigned int      i,
+                  const LA::Vector       &forces,
+                  const LA::Vector       &areas)
+      {
+        const double negligible = 1e-8 * std::pow(face.diameter, dim - 1.);
+        if (areas(face.dofs[i]) > negligible)
+          return forces(face.dofs[i]) / areas(face.dofs[i]);
+        double force = 0., area = 0.;
+        for (unsigned int j = i % dim; j < face.n_nodes * dim; j += dim)
+          {
+            force += forces(face.dofs[j]);
+            area += areas(face.dofs[j]);
+          }
+        return force / area;
+      }
+
+      LA::Vector
+      ghosted(LA::Vector &sums) const
+      {
+        sums.compress(VectorOperation::add);
+        LA::Vector all(dofs.owned,
+                       dofs.relevant,
+                       dofs.dof_handler.get_communicator());
+        all = sums;
+        return all;
+      }
+    };
+
+
+
     template <int dim>
     bool
     has_points_at_nodes(const ContactPair<dim> &pair)
     {
       return !pair.mortar &&
              has_one_multiplier_per_point(pair.parameters.quadrature);
+    }
+
+
+
+    /// Fills the messages about all faces. Collective.
+    template <int dim>
+    void
+    collect(ContactProblem<dim> &problem,
+            const unsigned int   n,
+            FaceMessages<dim>   &messages)
+    {
+      ContactAssembler<dim> &contact = problem.contact();
+      NodalTractions<dim>    on_masters(problem.layout());
+      for_each_sample<dim>(
+        contact,
+        [&](const ContactPair<dim>   &pair,
+            const SampledPoint<dim>  &point,
+            const ContactSample<dim> &sample) {
+          const Tensor<1, dim> force = sample.weight * point.traction;
+          std::vector<double> &slave =
+            messages.to(sample.slave, message_size(n));
+          if (!has_points_at_nodes(pair))
+            add_force(sample.N_slave, force, slave);
+          // shape functions of degree 2 are negative somewhere; errors are not
+          if (!pair.parameters.is_bilateral())
+            slave[law_error_at(n)] +=
+              std::abs(sample.weight) * law_error(point, sample);
+          if (!pair.mortar)
+            return on_masters.add(sample, -force);
+          add_force(sample.N_master,
+                    -force,
+                    messages.to(sample.master, message_size(n)));
+        });
+      for (const auto &pair : contact.contact_pairs())
+        if (has_points_at_nodes(*pair))
+          add_tractions_at_nodes(contact, *pair, n, messages);
+      on_masters.send(contact, messages);
     }
   } // namespace
 
@@ -134,36 +288,14 @@ namespace stickslip
   template <int dim>
   ContactResidual<dim>::ContactResidual(ContactProblem<dim> &problem)
   {
-    const DofLayout<dim>  &dofs          = problem.layout();
-    const auto            &triangulation = dofs.dof_handler.get_triangulation();
-    ContactAssembler<dim> &contact       = problem.contact();
-    const FaceShape<dim>   shape(dofs.fe.degree, faces_of<dim>(dofs.cells));
-    const unsigned int     n = shape.n_nodes() * dim;
-    FaceMessages<dim>      messages;
+    const DofLayout<dim> &dofs          = problem.layout();
+    const auto           &triangulation = dofs.dof_handler.get_triangulation();
+    const FaceShape<dim>  shape(dofs.fe.degree, faces_of<dim>(dofs.cells));
+    const unsigned int    n = shape.n_nodes() * dim;
+    FaceMessages<dim>     messages;
     errors.reinit(triangulation.n_active_cells());
 
-    for_each_sample<dim>(
-      contact,
-      [&](const ContactPair<dim>   &pair,
-          const SampledPoint<dim>  &point,
-          const ContactSample<dim> &sample) {
-        const Tensor<1, dim> force = sample.weight * point.traction;
-        std::vector<double> &slave = messages.to(sample.slave, message_size(n));
-        if (!has_points_at_nodes(pair))
-          add_force(sample.N_slave, force, slave);
-        // shape functions of degree 2 are negative
-        // somewhere; errors are not
-        if (!pair.parameters.is_bilateral())
-          slave[law_error_at(n)] +=
-            std::abs(sample.weight) * law_error(point, sample);
-        add_force(sample.N_master,
-                  -force,
-                  messages.to(sample.master, message_size(n)));
-      });
-    for (const auto &pair : contact.contact_pairs())
-      if (has_points_at_nodes(*pair))
-        add_tractions_at_nodes(contact, *pair, n, messages);
-
+    collect(problem, n, messages);
     for (const auto &received : messages.exchange(triangulation))
       {
         const CellIterator cell(&triangulation,

@@ -22,7 +22,8 @@ namespace stickslip
    * Tractions of the slave are those of the contact points; on the master their
    * opposites, at the places opposite. On either face they are projected (L2)
    * to the shape functions of the face, so that a face that is covered in part
-   * has a part of them.
+   * has a part of them. With other rules than segments those of the master are
+   * forces on its nodes over the areas of the nodes.
    *
    * The law holds for averages around nodes, or at contact points. What is left
    * between them is, with the pressure p >= 0, gap g, friction threshold s,
