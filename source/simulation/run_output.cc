@@ -44,18 +44,18 @@ namespace stickslip
 
   template <int dim>
   void
-  RunOutput<dim>::write(const unsigned int                         step,
-                        const double                               time,
-                        const bool                                 is_last,
+  RunOutput<dim>::write(const LoadStepping                        &steps,
                         ContactProblem<dim>                       &problem,
                         const std::vector<ContactFaceResult<dim>> &faces,
                         const NamedCellValues                     &cell_values)
   {
+    const unsigned int        step         = steps.step_number();
+    const double              time         = steps.time();
     const DofLayout<dim>     &layout       = problem.layout();
     const LA::Vector         &displacement = problem.ghosted_displacement();
     const MaterialFields<dim> material =
       material_fields(problem.solid(), displacement);
-    if (parameters.output.is_written(step) || is_last)
+    if (parameters.output.is_written(step) || steps.finished())
       {
         field_output.write(step,
                            time,

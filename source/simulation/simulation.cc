@@ -234,17 +234,12 @@ namespace stickslip
     write_statistics();
     const unsigned int step = steps().step_number();
     output.forces.write(step, steps().time(), resultants, problem());
-    output.write(step,
-                 steps().time(),
-                 steps().finished(),
-                 problem(),
-                 faces,
-                 adaptation.fields());
+    output.write(steps(), problem(), faces, adaptation.fields());
     if (parameters.output.is_saved(step, steps().finished()))
       write_checkpoint(step_control.state());
     if (step == 1)
       check_quantities(parameters.checks, output.tables, communicator);
-    progress.accepted_step(steps().step_number(),
+    progress.accepted_step(step,
                            steps().time(),
                            name_of(solved.algorithm) + ", " +
                              std::to_string(

@@ -13,6 +13,8 @@
 #include <stickslip/simulation/case_parameters.h>
 #include <stickslip/simulation/force_tables.h>
 
+#include <stickslip/strategy/load_stepping.h>
+
 #include <vector>
 
 namespace stickslip
@@ -35,12 +37,10 @@ namespace stickslip
     void
     resume(const double time);
 
-    /// The fields and values of an accepted step; @p faces are its contact,
+    /// The fields and values of the last accepted step; @p faces are its contact,
     /// @p cell_values further fields.
     void
-    write(const unsigned int                         step,
-          const double                               time,
-          const bool                                 is_last,
+    write(const LoadStepping                        &steps,
           ContactProblem<dim>                       &problem,
           const std::vector<ContactFaceResult<dim>> &faces,
           const NamedCellValues                     &cell_values);
