@@ -226,14 +226,16 @@ namespace stickslip
         double            square                = 0.;
         for (const unsigned int q : face.quadrature_point_indices())
           {
-            Tensor<1, dim> r =
+            const Tensor<1, dim> r =
               loads[q] - traction(cell, face, q, face.normal_vector(q));
-            if (tractions != nullptr)
-              for (const auto &[node, t] : *tractions)
-                r += shape_value(node, q) * t;
+            // Contact tractions node by node: a node that a support holds may
+            // have none, as the reaction has it.
             Tensor<1, dim> unbalanced;
             for (const auto &[node, projection] : free)
-              unbalanced += shape_value(node, q) * (projection * r);
+              unbalanced +=
+                shape_value(node, q) *
+                (projection *
+                 (tractions != nullptr ? r + tractions->at(node) : r));
             square += unbalanced.norm_square() * face.JxW(q);
           }
         return face_weight(cell, cell->face(f)->diameter()) * square;

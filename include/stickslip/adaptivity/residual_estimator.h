@@ -19,7 +19,8 @@ namespace stickslip
    * t is the sum of the loads and of what contact transfers, on both surfaces,
    * so that the stresses of either body are compared with the multipliers.
    * Pi projects on the directions in which the nodes of the face can move: in
-   * the others tractions are reactions. Stresses are polynomials through their
+   * the others tractions are reactions, and contact may have left a node to
+   * them: both are taken node by node. Stresses are polynomials through their
    * values at the quadrature points (CellStresses), so that those of laws with
    * a history have a divergence.
    *
