@@ -18,6 +18,20 @@ namespace stickslip
 {
   namespace
   {
+    /// 1 + Grad u, in 2D that of plane strains.
+    template <int dim>
+    Tensor<2, 3>
+    deformation_gradient(const Tensor<2, dim> &gradient)
+    {
+      Tensor<2, 3> F(unit_symmetric_tensor<3>());
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int J = 0; J < dim; ++J)
+          F[i][J] += gradient[i][J];
+      return F;
+    }
+
+
+
     /// c: brings the estimate near to the error where the solution is smooth
     /// (without it 5 to 10 times as large).
     constexpr double constant = 1. / 36.;
@@ -267,8 +281,7 @@ namespace stickslip
               sum[q] += surface_force(load,
                                       face.quadrature_point(q),
                                       face.normal_vector(q),
-                                      F[q] + Tensor<2, dim>(
-                                               unit_symmetric_tensor<dim>()),
+                                      deformation_gradient(F[q]),
                                       u[q],
                                       problem.present_time());
         return sum;

@@ -2,6 +2,7 @@
 
 #include <stickslip/base/short_message.h>
 #include <stickslip/base/user_error.h>
+#include <stickslip/mesh/axis_of_revolution.h>
 #include <stickslip/mesh/body_mesh.h>
 #include <stickslip/mesh/joined_mesh.h>
 #include <stickslip/mesh/local_refinement.h>
@@ -38,9 +39,8 @@ namespace stickslip
       body.name       = name;
       body.is_rigid   = is_rigid;
       body.boundaries = body_mesh.boundaries;
-      for (const types::boundary_id id :
-           body_mesh.triangulation.get_boundary_ids())
-        body.boundary_ids.insert(id);
+      const auto ids  = body_mesh.triangulation.get_boundary_ids();
+      body.boundary_ids.insert(ids.begin(), ids.end());
       bodies.bodies.push_back(body);
       for (const std::string &material : body_mesh.materials)
         bodies.regions.push_back(Region{index, material});
@@ -95,8 +95,7 @@ namespace stickslip
              bodies.single_boundary_id(request.body, request.second, path),
              request.direction});
           if (result.back().first == result.back().second)
-            throw UserError(path +
-                            ": the two periodic boundaries are the same.");
+            throw UserError(path + ": both periodic boundaries are the same.");
         }
       return result;
     }
@@ -381,6 +380,8 @@ namespace stickslip
             refinements, mesh.bodies, size, bytes_per_cell, triangulation);
       },
       communicator);
+    if (parameters.is_axisymmetric)
+      revolve_bodies(*mesh.triangulation, mesh.bodies);
     if (!path_of_refinement.empty())
       mesh.cells_by_level = cells_by_level(*mesh.triangulation);
     return mesh;
@@ -388,16 +389,13 @@ namespace stickslip
 
 
 
-  template Mesh<2>
-  build_mesh<2>(const MeshParameters &,
-                const NamedList<BodyParameters> &,
-                const std::vector<PeriodicRequest> &,
-                const MPI_Comm,
-                const std::vector<NamedSurface> &);
-  template Mesh<3>
-  build_mesh<3>(const MeshParameters &,
-                const NamedList<BodyParameters> &,
-                const std::vector<PeriodicRequest> &,
-                const MPI_Comm,
-                const std::vector<NamedSurface> &);
+#define INSTANTIATE(dim)                                                   \
+  template Mesh<dim> build_mesh<dim>(const MeshParameters &,               \
+                                     const NamedList<BodyParameters> &,    \
+                                     const std::vector<PeriodicRequest> &, \
+                                     const MPI_Comm,                       \
+                                     const std::vector<NamedSurface> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace stickslip

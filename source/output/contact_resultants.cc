@@ -164,7 +164,7 @@ namespace stickslip
     add_vector("force", force(), ResultantFamily::force);
     add_vector("normal_force", normal_force, ResultantFamily::force);
     add_vector("friction_force", friction_force, ResultantFamily::force);
-    for (unsigned int d = (dim == 2 ? 2 : 0); d < 3; ++d)
+    for (unsigned int d = (dim == 2 ? 2 : 0); !is_axisymmetric && d < 3; ++d)
       add_component("moment", d, moment[d], ResultantFamily::moment);
     add_vector("centre_of_pressure",
                centre_of_pressure,
@@ -186,7 +186,8 @@ namespace stickslip
   std::vector<ContactResultants<dim>>
   compute_contact_resultants(const std::vector<ContactFaceResult<dim>> &faces,
                              const unsigned int                         n_pairs,
-                             const MPI_Comm communicator)
+                             const MPI_Comm      communicator,
+                             const CrossSection &cross_section)
   {
     constexpr unsigned int n_values = ContactSums<dim>::n_values;
 
@@ -212,9 +213,12 @@ namespace stickslip
 
     std::vector<ContactResultants<dim>> result;
     for (unsigned int pair = 0; pair < n_pairs; ++pair)
-      result.push_back(
-        resultants_from_sums(ContactSums<dim>(&values[pair * n_values]),
-                             max_pressures[pair]));
+      {
+        result.push_back(
+          resultants_from_sums(ContactSums<dim>(&values[pair * n_values]),
+                               max_pressures[pair]));
+        result.back().is_axisymmetric = cross_section.is_axisymmetric;
+      }
     return result;
   }
 
@@ -225,9 +229,11 @@ namespace stickslip
   template std::vector<ContactResultants<2>>
   compute_contact_resultants(const std::vector<ContactFaceResult<2>> &,
                              const unsigned int,
-                             const MPI_Comm);
+                             const MPI_Comm,
+                             const CrossSection &);
   template std::vector<ContactResultants<3>>
   compute_contact_resultants(const std::vector<ContactFaceResult<3>> &,
                              const unsigned int,
-                             const MPI_Comm);
+                             const MPI_Comm,
+                             const CrossSection &);
 } // namespace stickslip

@@ -132,7 +132,12 @@ namespace stickslip
                        std::vector<BodySurface<dim>>                &surfaces)
     {
       for (auto &surface : surfaces)
-        surface.is_prescribed = bodies.bodies[surface.body].is_rigid;
+        {
+          surface.is_prescribed = bodies.bodies[surface.body].is_rigid;
+          // the axis is no surface
+          if (bodies.cross_section.is_on_axis(surface.high))
+            surface.is_free = false;
+        }
       for (const auto &[name, condition] : conditions)
         {
           const std::string  path = "Boundary conditions/" + name;

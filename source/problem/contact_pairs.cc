@@ -1,5 +1,6 @@
 #include <stickslip/problem/contact_pairs.h>
 
+#include <stickslip/base/over_ranks.h>
 #include <stickslip/base/user_error.h>
 
 #include <set>
@@ -27,6 +28,36 @@ namespace stickslip
             held.insert(dof);
         }
       return held;
+    }
+
+
+
+    /// The area all around of the function of an end node, if this is not
+    /// linear, vanishes on a face that begins on the axis.
+    template <int dim>
+    void
+    check_multipliers_on_axis(const ContactPair<dim> &pair,
+                              const std::string      &path,
+                              const MPI_Comm         &communicator)
+    {
+      const CrossSection &section    = pair.surfaces.cross_section;
+      bool                found      = false;
+      const auto         &parameters = pair.parameters;
+      if (section.is_axisymmetric && pair.multiplier_shape.degree() > 1 &&
+          has_one_multiplier_per_point(parameters.quadrature))
+        for (const auto &slave : pair.slave_faces)
+          for (const auto &X : slave.face.undeformed_nodes())
+            found = found || section.is_on_axis(X);
+      if (any_rank(found, communicator))
+        throw UserError(
+          "'" + path +
+          (parameters.has_segments() ? "/Multiplier space = displacement trace'"
+                                     : "/Quadrature = nodal'") +
+          " does not work with Degree " +
+          std::to_string(pair.multiplier_shape.degree()) +
+          " where the slave surface reaches the axis of an axisymmetric model: "
+          "a multiplier there has no area. Take '" +
+          (parameters.has_segments() ? "automatic" : "segments") + "'.");
     }
   } // namespace
 
@@ -72,7 +103,8 @@ namespace stickslip
                               {},
                               bodies.all_boundary_ids(slave_body),
                               bodies.all_boundary_ids(master_body),
-                              {}};
+                              {},
+                              bodies.cross_section};
         if (!pair.excluded_boundaries.empty())
           surfaces.excluded =
             bodies.global_boundary_ids(pair.slave_body,
@@ -88,6 +120,7 @@ namespace stickslip
                                                            dofs.dof_handler,
                                                            modulus,
                                                            communicator));
+        check_multipliers_on_axis(*pairs.back(), path, communicator);
       }
     return pairs;
   }

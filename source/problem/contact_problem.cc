@@ -98,7 +98,9 @@ namespace stickslip
     extent = box.get_boundary_points().first.distance(
       box.get_boundary_points().second);
     extent      = Utilities::MPI::max(extent, communicator);
-    force_floor = 1e-8 * modulus * std::pow(extent, dim - 1);
+    force_floor = 1e-8 * modulus * std::pow(extent, dim - 1) *
+                  mesh.bodies.cross_section.circumference(
+                    extent * Point<dim>::unit_vector(0));
     // A spring on one side of a body is lost in the roundoff of its matrix.
     softest_spring = 1e-11 * modulus / extent;
     for (const auto &pair : contact_assembler->contact_pairs())

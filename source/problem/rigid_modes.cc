@@ -99,6 +99,8 @@ namespace stickslip
               fe.system_to_component_index(i).first;
             double *const value =
               space.values.data() + owned.index_within_set(dofs[i]);
+            // of bodies of revolution, too: the others are nearly rigid in
+            // parts that are small beside their radius
             for (unsigned int m = 0; m < n_modes; ++m)
               {
                 const double motion =

@@ -6,6 +6,8 @@
 #include <stickslip/base/print_parameters.h>
 #include <stickslip/base/user_error.h>
 
+#include <stickslip/simulation/pair_checks.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -31,38 +33,6 @@ namespace stickslip
       for (const auto &pair : pairs)
         names.push_back(pair.first);
       return names;
-    }
-
-
-
-    bool
-    have_common(const std::vector<std::string> &a,
-                const std::vector<std::string> &b)
-    {
-      return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) !=
-             a.end();
-    }
-
-
-
-    /// Two pairs of the same surfaces would press twice.
-    void
-    check_pairs_differ(const NamedList<ContactPairParameters> &pairs)
-    {
-      for (auto second = pairs.begin(); second != pairs.end(); ++second)
-        for (auto first = pairs.begin(); first != second; ++first)
-          {
-            const ContactPairParameters &a = first->second, &b = second->second;
-            if (a.slave_body == b.slave_body &&
-                a.master_body == b.master_body &&
-                have_common(a.slave_boundary, b.slave_boundary) &&
-                have_common(a.master_boundary, b.master_boundary))
-              throw UserError("'Contact/" + first->first + "' and 'Contact/" +
-                              second->first +
-                              "' have the same slave and master surface, or "
-                              "parts of them. One pair is enough; name other "
-                              "boundaries, or remove one of them.");
-          }
     }
 
 
@@ -116,9 +86,16 @@ namespace stickslip
     prm.add_parameter("Title", title, "A line about the case, for the log.");
     prm.add_parameter("Dimension",
                       dimension,
-                      "2 (plane strain unless a material says plane stress) or "
-                      "3.",
+                      "2 (plane strain unless a material says plane stress, or "
+                      "bodies of revolution, Axisymmetric) or 3.",
                       Patterns::Integer(2, 3));
+    prm.add_parameter("Axisymmetric",
+                      axisymmetric,
+                      "In 2D: the bodies are bodies of revolution without "
+                      "torsion; x is the radius, y the axis. Their radial "
+                      "displacement on the axis is zero of itself. Forces, "
+                      "areas and works are those of the whole bodies (2 pi).",
+                      Patterns::Bool());
     prm.add_parameter("Degree",
                       degree,
                       "Polynomial degree of the displacement.",
@@ -173,6 +150,7 @@ namespace stickslip
     add_parameters(prm);
     file.apply_to(prm);
     mesh.input_directory   = file.directory();
+    mesh.is_axisymmetric   = axisymmetric;
     mesh.bytes_per_cell    = matrix_bytes_per_cell(dimension, degree);
     mesh.bytes_per_simplex = matrix_bytes_per_simplex(dimension, degree);
     check();
@@ -182,6 +160,8 @@ namespace stickslip
     if (adaptation.is_active())
       mesh.later_refinement = "Adaptation/Estimator = " + adaptation.estimator;
     const DeclaredSection all = declared_parameters(prm);
+    if (axisymmetric)
+      physics.emplace_back("Axisymmetric", "true");
     if (!materials.empty())
       add_values(all, "Materials", physics);
     if (!contact_pairs.empty())
@@ -229,18 +209,28 @@ namespace stickslip
         "Section 'Bodies' names no body. Add one: 'subsection "
         "Bodies', 'subsection block', ...");
     check_named_list("Bodies", bodies);
+    if (axisymmetric && dimension != 2)
+      throw UserError(
+        "Axisymmetric is true, but Dimension is 3: sections of "
+        "bodies of revolution are models of Dimension 2.");
     for (const auto &[name, rule] : refinement)
       rule.check("Refinement/" + name, dimension);
     adaptation.check("Adaptation",
                      !contact_pairs.empty() || automatic_contact.active);
     for (const auto &[name, material] : materials)
-      material.check("Materials/" + name, dimension, degree);
+      {
+        material.check("Materials/" + name, dimension, degree);
+        if (axisymmetric && material.plane_stress)
+          throw UserError("Materials/" + name +
+                          "/Plane stress is true, but so is Axisymmetric: "
+                          "bodies of revolution have a hoop stress. Remove one "
+                          "of them.");
+      }
     check_named_list("Amplitudes", amplitudes);
     check_named_list("Boundary conditions", boundary_conditions);
     automatic_contact.check("Contact");
     check_named_list("Contact", contact_pairs);
-    if (needs_law_per_multiplier(algorithm.name))
-      check_pairs_have_law_per_multiplier();
+    check_pairs_suit(algorithm.name, contact_pairs);
     algorithm.check("Algorithm");
     check_pairs_differ(contact_pairs);
     load_stepping.check("Load stepping");
@@ -262,30 +252,6 @@ namespace stickslip
         pair_called(line.contact_pair, "Output/Contact lines/" + name);
       }
     check_named_list("Checks", checks);
-  }
-
-
-
-  void
-  CaseParameters::check_pairs_have_law_per_multiplier() const
-  {
-    const std::string algorithm_is =
-      "'Algorithm/Name = " + name_of(algorithm.name) + "' ";
-    for (const auto &[name, pair] : contact_pairs)
-      {
-        const std::string path = "'Contact/" + name;
-        if (!has_one_multiplier_per_point(pair.quadrature))
-          throw UserError(path + "/Quadrature' = " +
-                          name_of(pair.quadrature, all_contact_rules()) + ": " +
-                          algorithm_is +
-                          "needs 'segments' or 'nodal', where the law holds "
-                          "at each multiplier.");
-        if (pair.is_bilateral())
-          throw UserError(path +
-                          "/Law = " + name_of(pair.law, all_pair_laws()) +
-                          "': " + algorithm_is +
-                          "knows 'contact' only. Take another algorithm.");
-      }
   }
 
 

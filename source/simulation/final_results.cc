@@ -101,7 +101,8 @@ namespace stickslip
     const auto resultants =
       compute_contact_resultants(faces,
                                  parameters.contact_pairs.size(),
-                                 problem.contact().get_communicator());
+                                 problem.contact().get_communicator(),
+                                 problem.bodies().cross_section);
     for (unsigned int p = 0; p < resultants.size(); ++p)
       for (const NamedResultant &resultant : resultants[p].named_values())
         results.add_of_pair(parameters.contact_pairs[p].first, resultant);

@@ -39,7 +39,8 @@ namespace stickslip
                                 resultant.value);
         resultant_table.finish_row();
       }
-    const auto reactions = problem.reactions();
+    const bool is_axisymmetric = problem.bodies().cross_section.is_axisymmetric;
+    const auto reactions       = problem.reactions();
     if (!reactions.empty())
       {
         reaction_table.add("step", step);
@@ -49,7 +50,8 @@ namespace stickslip
             reaction_table.add(name + ".force_" + "xyz"[d], force[d]);
         for (const auto &[name, reaction] : problem.reference_points())
           for (const auto &result : reaction.named_values())
-            reaction_table.add(name + "." + result.name, result.value);
+            if (!(is_axisymmetric && result.quantity == "moment"))
+              reaction_table.add(name + "." + result.name, result.value);
         reaction_table.finish_row();
       }
   }

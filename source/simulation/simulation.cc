@@ -213,7 +213,8 @@ namespace stickslip
   {
     return compute_contact_resultants(faces,
                                       parameters.contact_pairs.size(),
-                                      communicator);
+                                      communicator,
+                                      mesh.bodies.cross_section);
   }
 
 

@@ -2,6 +2,7 @@
 
 #include <stickslip/base/user_error.h>
 
+#include <stickslip/solid/axisymmetry.h>
 #include <stickslip/solid/displacement_constraints.h>
 
 #include <deal.II/base/mpi.h>
@@ -37,6 +38,8 @@ namespace stickslip
       add_condition(named.first, named.second);
     check_couplings_of_rigid_bodies();
     hold_idle_rigid_bodies();
+    for (const auto &condition : conditions_on_axis<dim>(bodies))
+      displacements.push_back(condition);
   }
 
 
@@ -49,6 +52,8 @@ namespace stickslip
   {
     const std::string path = boundary_condition_path(name);
     parameters.check(path);
+    if (bodies.cross_section.is_axisymmetric)
+      check_is_axisymmetric(parameters, path);
 
     const unsigned int body = bodies.index_of(parameters.body, path + "/Body");
     const BoundaryConditionType type = parameters.type;

@@ -34,8 +34,9 @@ namespace stickslip
       {
         if (!rule->has_volume(F[failed]))
           return false;
-        volume += fe_values.JxW(failed);
-        sum += rule->dilatation(F[failed]) * fe_values.JxW(failed);
+        const double of_point = element.measure(fe_values, failed);
+        volume += of_point;
+        sum += rule->dilatation(F[failed]) * of_point;
       }
     mean = sum / volume;
 
@@ -46,7 +47,7 @@ namespace stickslip
       {
         element.set_gradients(fe_values, q);
         element.add_to_mean_dilatation(rule->derivative(F[q]),
-                                       scale * fe_values.JxW(q));
+                                       scale * element.measure(fe_values, q));
         seen[q] = rule->modified(F[q], mean);
       }
     return true;
@@ -62,7 +63,7 @@ namespace stickslip
                                      const Tensor<4, 3>      *dP_dF,
                                      ElementArrays<dim>      &element) const
   {
-    const double JxW = fe_values.JxW(q);
+    const double JxW = element.measure(fe_values, q);
     element.set_gradients(fe_values, q);
     if (!rule)
       {

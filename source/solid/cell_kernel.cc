@@ -44,14 +44,17 @@ namespace stickslip
 
 
   template <int dim>
-  ElementArrays<dim>::ElementArrays(const FiniteElement<dim> &fe)
+  ElementArrays<dim>::ElementArrays(const FiniteElement<dim> &fe,
+                                    const CrossSection       &cross_section)
     : internal(fe.n_dofs_per_cell())
     , external(fe.n_dofs_per_cell())
     , n_nodes(fe.base_element(0).n_dofs_per_cell())
+    , cross_section(cross_section)
     , dof_of_node(fe.n_dofs_per_cell())
     , values(fe.n_dofs_per_cell())
     , nodal_displacements(fe.n_dofs_per_cell())
     , gradients(fe.n_dofs_per_cell())
+    , hoop(n_nodes)
     , stiffness(fe.n_dofs_per_cell() * fe.n_dofs_per_cell())
     , mean_derivative(fe.n_dofs_per_cell())
     , mean_column(fe.n_dofs_per_cell())
@@ -85,6 +88,19 @@ namespace stickslip
 
 
   template <int dim>
+  double
+  ElementArrays<dim>::measure(const FEValuesBase<dim> &fe_values,
+                              const unsigned int       q) const
+  {
+    return cross_section.is_axisymmetric
+             ? cross_section.circumference(fe_values.quadrature_point(q)) *
+                 fe_values.JxW(q)
+             : fe_values.JxW(q);
+  }
+
+
+
+  template <int dim>
   void
   ElementArrays<dim>::set_gradients(const FEValuesBase<dim> &fe_values,
                                     const unsigned int       q)
@@ -95,6 +111,11 @@ namespace stickslip
         for (unsigned int J = 0; J < dim; ++J)
           gradients[J * n_nodes + a] = gradient[J];
       }
+    for (unsigned int a = 0; cross_section.is_axisymmetric && a < n_nodes; ++a)
+      hoop[a] =
+        cross_section.is_on_axis(fe_values.quadrature_point(q))
+          ? gradients[a]
+          : fe_values.shape_value(a, q) / fe_values.quadrature_point(q)[0];
   }
 
 
@@ -116,6 +137,9 @@ namespace stickslip
             sum += u_i[a] * G_J[a];
           F[i][J] += sum;
         }
+    if (cross_section.is_axisymmetric)
+      for (unsigned int a = 0; a < n_nodes; ++a)
+        F[2][2] += nodal_displacements[a] * hoop[a];
     return F;
   }
 
@@ -142,12 +166,7 @@ namespace stickslip
   {
     for (unsigned int a = 0; a < n_nodes; ++a)
       for (unsigned int i = 0; i < dim; ++i)
-        {
-          double sum = 0.;
-          for (unsigned int J = 0; J < dim; ++J)
-            sum += P[i][J] * gradients[J * n_nodes + a];
-          internal(dof_of_node[a * dim + i]) += sum * JxW;
-        }
+        internal(dof_of_node[a * dim + i]) += contracted(P, a, i) * JxW;
   }
 
 
@@ -183,6 +202,32 @@ namespace stickslip
       add(std::integral_constant<unsigned int, quadratic_simplex>());
     else
       add(n_nodes);
+    if (cross_section.is_axisymmetric)
+      add_hoop_tangent(dP_dF, JxW);
+  }
+
+
+
+  template <int dim>
+  void
+  ElementArrays<dim>::add_hoop_tangent(const Tensor<4, 3> &dP_dF,
+                                       const double        JxW)
+  {
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          double dP_dF_33 = i == 0 ? hoop[a] * dP_dF[2][2][2][2] : 0.;
+          for (unsigned int J = 0; J < dim; ++J)
+            dP_dF_33 += gradients[J * n_nodes + a] * dP_dF[i][J][2][2];
+          double *const row = stiffness_row(a, i);
+          for (unsigned int b = 0; b < n_nodes; ++b)
+            row[b] += dP_dF_33 * hoop[b] * JxW;
+          for (unsigned int L = 0; i == 0 && L < dim; ++L)
+            for (unsigned int k = 0; k < dim; ++k)
+              for (unsigned int b = 0; b < n_nodes; ++b)
+                row[k * n_nodes + b] += hoop[a] * dP_dF[2][2][k][L] *
+                                        gradients[L * n_nodes + b] * JxW;
+        }
   }
 
 
@@ -207,12 +252,7 @@ namespace stickslip
   {
     for (unsigned int a = 0; a < n_nodes; ++a)
       for (unsigned int i = 0; i < dim; ++i)
-        {
-          double sum = 0.;
-          for (unsigned int J = 0; J < dim; ++J)
-            sum += X[i][J] * gradients[J * n_nodes + a];
-          vector[a * dim + i] += sum * weight;
-        }
+        vector[a * dim + i] += contracted(X, a, i) * weight;
   }
 
 
@@ -277,7 +317,7 @@ namespace stickslip
                                const Tensor<1, dim>    &t,
                                Vector<double>          &force) const
   {
-    const double JxW = fe_values.JxW(q);
+    const double JxW = measure(fe_values, q);
     for (unsigned int a = 0; a < n_nodes; ++a)
       {
         const double weight = fe_values.shape_value(a, q) * JxW;
@@ -293,23 +333,26 @@ namespace stickslip
   ElementArrays<dim>::add_load_gradient_tangent(
     const FEValuesBase<dim> &fe_values,
     const unsigned int       q,
-    const Tensor<3, dim>    &dt_dF)
+    const Tensor<3, dim>    &dt_dF,
+    const Tensor<1, dim>    &dt_dF_33)
   {
-    const double JxW = fe_values.JxW(q);
+    const double JxW = measure(fe_values, q);
     for (unsigned int a = 0; a < n_nodes; ++a)
       {
         const double weight = fe_values.shape_value(a, q) * JxW;
         if (weight == 0.)
           continue; // not a node of this face
         for (unsigned int i = 0; i < dim; ++i)
-          for (unsigned int k = 0; k < dim; ++k)
-            {
-              double *block = stiffness_row(a, i) + k * n_nodes;
+          {
+            double *const row = stiffness_row(a, i);
+            for (unsigned int k = 0; k < dim; ++k)
               for (unsigned int L = 0; L < dim; ++L)
                 for (unsigned int b = 0; b < n_nodes; ++b)
-                  block[b] +=
+                  row[k * n_nodes + b] +=
                     weight * dt_dF[i][k][L] * gradients[L * n_nodes + b];
-            }
+            for (unsigned int b = 0; b < n_nodes; ++b)
+              row[b] += weight * dt_dF_33[i] * hoop[b];
+          }
       }
   }
 
@@ -321,7 +364,7 @@ namespace stickslip
                                        const unsigned int       q,
                                        const Tensor<2, dim>    &dt_du)
   {
-    const double JxW = fe_values.JxW(q);
+    const double JxW = measure(fe_values, q);
     for (unsigned int a = 0; a < n_nodes; ++a)
       {
         const double weight = fe_values.shape_value(a, q) * JxW;

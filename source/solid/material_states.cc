@@ -21,7 +21,7 @@ namespace stickslip
                 quadrature,
                 update_values | update_gradients | update_quadrature_points |
                   update_JxW_values)
-    , element(dof_handler.get_fe())
+    , element(dof_handler.get_fe(), bodies.cross_section)
     , deformation(quadrature.size())
     , dof_indices(dof_handler.get_fe().n_dofs_per_cell())
   {}
@@ -63,7 +63,7 @@ namespace stickslip
 
     MaterialState<dim> state;
     state.reference_position = fe_values.quadrature_point(q);
-    state.JxW                = fe_values.JxW(q);
+    state.JxW                = element.measure(fe_values, q);
     state.history.resize(history_fields.names().size());
     Tensor<2, 3> P;
     if (law.evaluate(deformation.for_law(q),

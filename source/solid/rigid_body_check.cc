@@ -134,6 +134,13 @@ namespace stickslip
       for (const auto &box :
            boxes_of_groups(body_boxes(triangulation, bodies), group_of_body))
         modes.emplace_back(box.first, box.second);
+      // of bodies of revolution only the translation along the axis is rigid
+      if (bodies.cross_section.is_axisymmetric)
+        for (RigidBodyModes<dim> &of_group : modes)
+          {
+            of_group.hold_rotation(Point<3>::unit_vector(2));
+            of_group.hold(Point<dim>(), Point<dim>::unit_vector(0));
+          }
 
       std::string error;
       for (const auto &node :

@@ -40,7 +40,7 @@ namespace stickslip
                 quadrature,
                 update_values | update_gradients | update_quadrature_points |
                   update_JxW_values)
-    , element(dof_handler.get_fe())
+    , element(dof_handler.get_fe(), bodies.cross_section)
     , deformation(quadrature.size())
     , stiffness(dof_handler.get_fe().n_dofs_per_cell(),
                 dof_handler.get_fe().n_dofs_per_cell())
@@ -58,7 +58,10 @@ namespace stickslip
           largest_modulus =
             std::max(largest_modulus, laws[r]->longitudinal_modulus());
         if (laws[r] && !with_mean_dilatation.empty() && with_mean_dilatation[r])
-          mean_dilatation[r].emplace(laws[r]->is_geometrically_linear());
+          mean_dilatation[r].emplace(laws[r]->is_geometrically_linear(),
+                                     bodies.cross_section.is_axisymmetric
+                                       ? 3
+                                       : dim);
       }
     for (const Load<dim> &load : boundary_conditions.loads())
       if (load.type == BoundaryConditionType::body_force)
@@ -295,10 +298,11 @@ namespace stickslip
   {
     // All displacements are prescribed, or depend on the few that stand for
     // the motion of the body; the matrix needs a diagonal of the size of its
-    // neighbours: modulus x length^(dim - 2).
+    // neighbours: modulus x length^(dim - 2), all around.
     cell->get_dof_indices(dof_indices);
     const double modulus = largest_modulus > 0. ? largest_modulus : 1.;
-    const double entry   = modulus * std::pow(cell->diameter(), dim - 2);
+    const double entry   = modulus * std::pow(cell->diameter(), dim - 2) *
+                         bodies.cross_section.circumference(cell->center());
     for (const auto i : dof_indices)
       if (constraints.is_constrained(i))
         matrix.add(i, i, entry);

@@ -55,6 +55,8 @@ namespace stickslip
     std::vector<std::pair<std::string, Tensor<1, dim>>> result;
     for (unsigned int c = 0; c < prescribed.size(); ++c)
       {
+        if (prescribed[c].is_of_axis)
+          continue;
         Tensor<1, dim> force;
         for (unsigned int d = 0; d < dim; ++d)
           force[d] = sums[dim * c + d];

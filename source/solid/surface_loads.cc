@@ -4,6 +4,32 @@
 
 namespace stickslip
 {
+  namespace
+  {
+    template <int dim>
+    Tensor<2, dim>
+    part_in_plane(const Tensor<2, 3> &F)
+    {
+      Tensor<2, dim> part;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int J = 0; J < dim; ++J)
+          part[i][J] = F[i][J];
+      return part;
+    }
+
+
+
+    /// In 2D the cofactor has the stretch normal to the plane as a factor.
+    template <int dim>
+    double
+    stretch_off_plane(const Tensor<2, 3> &F)
+    {
+      return dim == 2 ? F[2][2] : 1.;
+    }
+  } // namespace
+
+
+
   template <int dim>
   SurfaceLoads<dim>::SurfaceLoads(const Mapping<dim>           &mapping,
                                   const FiniteElement<dim>     &fe,
@@ -76,15 +102,12 @@ namespace stickslip
     const bool follows = load.type == BoundaryConditionType::follower_pressure;
     for (const unsigned int q : fe_face_values.quadrature_point_indices())
       {
-        Tensor<2, dim> F;
+        Tensor<2, 3>   F;
         Tensor<1, dim> u;
         if (follows)
           {
             element.set_gradients(fe_face_values, q);
-            const Tensor<2, 3> F_full = element.deformation_gradient();
-            for (unsigned int i = 0; i < dim; ++i)
-              for (unsigned int J = 0; J < dim; ++J)
-                F[i][J] = F_full[i][J];
+            F = element.deformation_gradient();
           }
         if (is_spring)
           u = element.displacement(fe_face_values, q);
@@ -108,21 +131,27 @@ namespace stickslip
 
   template <int dim>
   void
-  SurfaceLoads<dim>::add_tangent(const Load<dim>      &load,
-                                 const unsigned int    q,
-                                 const Tensor<2, dim> &F,
-                                 const double          time,
-                                 ElementArrays<dim>   &element)
+  SurfaceLoads<dim>::add_tangent(const Load<dim>    &load,
+                                 const unsigned int  q,
+                                 const Tensor<2, 3> &F,
+                                 const double        time,
+                                 ElementArrays<dim> &element)
   {
     if (load.type == BoundaryConditionType::spring)
       element.add_load_tangent(fe_face_values, q, load.stiffness);
     // An external force: its derivative enters the tangent with a minus.
     if (load.type == BoundaryConditionType::follower_pressure)
-      element.add_load_gradient_tangent(
-        fe_face_values,
-        q,
-        load.pressure(fe_face_values.quadrature_point(q), time) *
-          cofactor_derivative(F, fe_face_values.normal_vector(q)));
+      {
+        const Tensor<1, dim> &N          = fe_face_values.normal_vector(q);
+        const Tensor<2, dim>  F_in_plane = part_in_plane<dim>(F);
+        const double          p =
+          load.pressure(fe_face_values.quadrature_point(q), time);
+        element.add_load_gradient_tangent(fe_face_values,
+                                          q,
+                                          (stretch_off_plane<dim>(F) * p) *
+                                            cofactor_derivative(F_in_plane, N),
+                                          p * (cofactor(F_in_plane) * N));
+      }
   }
 
 
@@ -132,7 +161,7 @@ namespace stickslip
   surface_force(const Load<dim>      &load,
                 const Point<dim>     &X,
                 const Tensor<1, dim> &N,
-                const Tensor<2, dim> &F,
+                const Tensor<2, 3>   &F,
                 const Tensor<1, dim> &u,
                 const double          time)
   {
@@ -143,7 +172,8 @@ namespace stickslip
         case BoundaryConditionType::pressure:
           return -load.pressure(X, time) * N;
         case BoundaryConditionType::follower_pressure:
-          return -load.pressure(X, time) * (cofactor(F) * N);
+          return -load.pressure(X, time) * stretch_off_plane<dim>(F) *
+                 (cofactor(part_in_plane<dim>(F)) * N);
         case BoundaryConditionType::spring:
           return load.active.contains(time) ? -1. * (load.stiffness * u)
                                             : Tensor<1, dim>();

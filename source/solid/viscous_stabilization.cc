@@ -101,7 +101,7 @@ namespace stickslip
              (element.displacement(fe_values, q) -
               old_element.displacement(fe_values, q))
                .norm_square() *
-             fe_values.JxW(q);
+             element.measure(fe_values, q);
     return sum;
   }
 

@@ -8,6 +8,7 @@
 
 #include <stickslip/base/user_error.h>
 
+#include <stickslip/solid/isotropic_hardening.h>
 #include <stickslip/solid/linear_elastic.h>
 #include <stickslip/solid/plane_stress.h>
 #include <stickslip/solid/rigid_body_check.h>
@@ -36,6 +37,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -390,6 +392,78 @@ namespace solid_test
   case_name(const std::string &what, const unsigned int degree)
   {
     return std::to_string(dim) + "D Q" + std::to_string(degree) + " " + what;
+  }
+
+
+
+  template <typename Law>
+  std::shared_ptr<Law>
+  plastic()
+  {
+    const auto law              = steel<Law>();
+    law->hardening.type         = HardeningType::linear;
+    law->hardening.yield_stress = 0.1;
+    law->hardening.modulus      = 10.;
+    return law;
+  }
+
+
+
+  /// Tangent against central differences of the residual, in one direction.
+  template <int dim>
+  void
+  test_differences(Problem<dim>      &problem,
+                   const std::string &name,
+                   const unsigned int degree,
+                   const double       tolerance)
+  {
+    const auto state = [](const Point<dim> &p) {
+      Tensor<1, dim> u;
+      for (unsigned int d = 0; d < dim; ++d)
+        u[d] = 0.1 * std::sin(p[d] + 2. * p[(d + 1) % dim]);
+      return u;
+    };
+    const auto direction = [](const Point<dim> &p) {
+      Tensor<1, dim> u;
+      for (unsigned int d = 0; d < dim; ++d)
+        u[d] = std::cos(3. * p[d] - p[(d + 1) % dim]) + p[0] * p[1];
+      return u;
+    };
+
+    problem.interpolate(state);
+    LA::SparseMatrix matrix;
+    LA::Vector       minus_residual;
+    problem.assemble_tangent(0.5, problem.geometric, matrix, minus_residual);
+    LA::Vector sum = problem.residual(0.5);
+    sum += minus_residual;
+    print(case_name<dim>(name + "rhs of the tangent is minus the residual",
+                         degree),
+          sum.linfty_norm() < 1e-12);
+
+    problem.interpolate(direction);
+    LA::Vector v(problem.owned, MPI_COMM_WORLD), product(v);
+    v = problem.u;
+    // Hanging nodes have been eliminated from the matrix.
+    problem.geometric.set_zero(v);
+    matrix.vmult(product, v);
+    problem.geometric.set_zero(product);
+
+    const double h                  = 1e-5;
+    const auto   displaced_residual = [&](const double step) {
+      problem.interpolate([&](const Point<dim> &p) {
+        return Tensor<1, dim>(state(p) + step * direction(p));
+      });
+      return problem.residual(0.5);
+    };
+    LA::Vector difference = displaced_residual(h);
+    difference -= displaced_residual(-h);
+    difference /= 2. * h;
+    problem.geometric.set_zero(difference);
+    difference -= product;
+    std::ostringstream text;
+    text << name << "tangent within " << tolerance << " of differences";
+    print(case_name<dim>(text.str(), degree),
+          difference.l2_norm() < tolerance * product.l2_norm());
   }
 } // namespace solid_test
 

@@ -2,6 +2,7 @@
 #define stickslip_mesh_body_h
 
 #include <stickslip/base/types.h>
+#include <stickslip/mesh/cross_section.h>
 #include <stickslip/mesh/labelled_ids.h>
 
 #include <deal.II/base/types.h>
@@ -17,6 +18,8 @@ namespace stickslip
   {
     std::string name;
     bool        is_rigid = false; ///< moves as a whole, or not at all
+    /// Of a body of revolution: it has nodes where the radius is zero.
+    bool reaches_axis = false;
     /// The body's own ids, only those with faces.
     std::set<types::boundary_id> boundary_ids;
     /// What the user may call them.
@@ -41,6 +44,7 @@ namespace stickslip
   public:
     std::vector<Body>   bodies;
     std::vector<Region> regions;
+    CrossSection        cross_section;
 
     /// Index of the body @p name. Throws UserError (with the known names) that
     /// blames the parameter @p parameter_path.

@@ -39,6 +39,9 @@ namespace stickslip
     double bytes_per_cell    = 0.;
     double bytes_per_simplex = 0.; ///< of each triangle or tetrahedron
 
+    /// The bodies are bodies of revolution (set by the caller).
+    bool is_axisymmetric = false;
+
     /// Local refinements, after all others (set by the caller).
     std::vector<RefinementRequest> refinements;
 

@@ -3,6 +3,8 @@
 
 #include <stickslip/contact/results/contact_result.h>
 
+#include <stickslip/mesh/cross_section.h>
+
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
@@ -32,8 +34,9 @@ namespace stickslip
 
   /**
    * What one contact pair transmits, as sums over its contact points. Forces
-   * act on the slave; in 2D they are per unit thickness. Closed points are
-   * those that stick or slip.
+   * act on the slave; in 2D they are per unit thickness, or, of bodies of
+   * revolution, all around: then the radial components are sums of magnitudes,
+   * as the vectors cancel. Closed points are those that stick or slip.
    */
   template <int dim>
   struct ContactResultants
@@ -42,6 +45,9 @@ namespace stickslip
     Tensor<1, dim> friction_force; ///< sum w t
     Tensor<1, 3>   moment;         ///< of both about the origin, current lever
     Point<dim> centre_of_pressure; ///< sum w p x / sum w p; 0 if no pressure
+
+    /// Of bodies of revolution: they have no moment.
+    bool is_axisymmetric = false;
 
     double reference_area = 0.; ///< of the closed points
     double current_area   = 0.; ///< of the closed points
@@ -82,7 +88,8 @@ namespace stickslip
   std::vector<ContactResultants<dim>>
   compute_contact_resultants(const std::vector<ContactFaceResult<dim>> &faces,
                              const unsigned int                         n_pairs,
-                             const MPI_Comm communicator);
+                             const MPI_Comm      communicator,
+                             const CrossSection &cross_section = {});
 } // namespace stickslip
 
 #endif

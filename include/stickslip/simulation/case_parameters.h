@@ -41,8 +41,9 @@ namespace stickslip
   struct CaseParameters
   {
     std::string  title;
-    unsigned int dimension = 2;
-    unsigned int degree    = 1;
+    unsigned int dimension    = 2;
+    bool         axisymmetric = false;
+    unsigned int degree       = 1;
 
     MeshParameters                         mesh;
     NamedList<BodyParameters>              bodies;
@@ -114,9 +115,6 @@ namespace stickslip
 
     void
     check() const;
-
-    void
-    check_pairs_have_law_per_multiplier() const;
   };
 } // namespace stickslip
 

@@ -5,6 +5,7 @@
 
 #include <stickslip/contact/cycling/status_history.h>
 
+#include <stickslip/mesh/axis_of_revolution.h>
 #include <stickslip/mesh/local_refinement.h>
 #include <stickslip/mesh/mesh_builder.h>
 
@@ -57,9 +58,11 @@ namespace stickslip
     std::vector<std::string>
     description_of_start()
     {
-      std::vector<std::string> lines  = automatic.reasons;
-      const auto               levels = describe_levels(mesh.cells_by_level);
+      std::vector<std::string> lines   = describe_axis(mesh.bodies);
+      const auto              &reasons = automatic.reasons;
+      const auto               levels  = describe_levels(mesh.cells_by_level);
       const auto contact = describe(problem().contact(), problem().start());
+      lines.insert(lines.end(), reasons.begin(), reasons.end());
       lines.insert(lines.end(), levels.begin(), levels.end());
       lines.insert(lines.end(), contact.begin(), contact.end());
       return lines;

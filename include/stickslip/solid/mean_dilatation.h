@@ -15,23 +15,25 @@ namespace stickslip
    * Large strains (F-bar; de Souza Neto et al., IJSS 33, 1996, with the mean of
    * J in place of its value at the centre): the law sees
    *
-   *   F_bar = r F,  r = (J_mean / J)^(1/dim),  J_mean = int J dV / V,
+   *   F_bar = r F,  r = (J_mean / J)^(1/n),  J_mean = int J dV / V,
    *
    * and the Cauchy stress of F_bar acts in the deformed cell, which means
-   * P = r^(1 - dim) P(F_bar). The tangent is not symmetric.
+   * P = r^(1 - n) P(F_bar). The tangent is not symmetric.
    *
    * Small strains (B-bar; Hughes, IJNME 15, 1980): with theta = div u the law
-   * sees F + (theta_mean - theta) I / dim, and so do the virtual strains. The
+   * sees F + (theta_mean - theta) I / n, and so do the virtual strains. The
    * tangent is symmetric.
    *
-   * In two dimensions only the part in the plane is changed (plane strain).
+   * Here n is the number of directions that change: 3, but in plane strain the
+   * two in the plane.
    * Everything here is at a point; the sums over nodes are in ElementArrays.
    */
   template <int dim>
   class MeanDilatation
   {
   public:
-    explicit MeanDilatation(const bool small_strains);
+    explicit MeanDilatation(const bool         small_strains,
+                            const unsigned int n_directions = dim);
 
     /// det F > 0; always true for small strains.
     bool
@@ -44,7 +46,7 @@ namespace stickslip
     double
     dilatation(const Tensor<2, 3> &F) const;
 
-    /// Its derivative with respect to F; zero out of the plane.
+    /// Its derivative with respect to F; zero in the directions that stay.
     Tensor<2, 3>
     derivative(const Tensor<2, 3> &F) const;
 
@@ -87,7 +89,8 @@ namespace stickslip
     }
 
     /// Not const, so that objects can be assigned.
-    bool small_strains;
+    bool         small_strains;
+    unsigned int n; ///< directions
 
   private:
     Response

@@ -50,6 +50,10 @@ namespace stickslip
     /// Of the components of a displacement, if not Cartesian.
     std::optional<CylindricalFrame<dim>> frame;
 
+    /// Not the user's: no radial displacement on the axis of a body of
+    /// revolution. No force is needed for that.
+    bool is_of_axis = false;
+
     /// A rigid motion some of whose components are free: its nodes follow a
     /// reference point (RigidCoupling).
     bool

@@ -55,11 +55,11 @@ namespace stickslip
              ElementArrays<dim> &element);
 
     void
-    add_tangent(const Load<dim>      &load,
-                const unsigned int    q,
-                const Tensor<2, dim> &F,
-                const double          time,
-                ElementArrays<dim>   &element);
+    add_tangent(const Load<dim>    &load,
+                const unsigned int  q,
+                const Tensor<2, 3> &F,
+                const double        time,
+                ElementArrays<dim> &element);
 
     std::map<types::boundary_id, std::vector<const Load<dim> *>> loads_of;
 
@@ -76,7 +76,7 @@ namespace stickslip
   surface_force(const Load<dim>      &load,
                 const Point<dim>     &X,
                 const Tensor<1, dim> &N,
-                const Tensor<2, dim> &F,
+                const Tensor<2, 3>   &F,
                 const Tensor<1, dim> &u,
                 const double          time);
 

@@ -57,8 +57,10 @@ namespace stickslip
     , surfaces(surfaces)
     , displacement_shape(dof_handler.get_fe().degree,
                          faces_of<dim>(dof_handler.get_fe().reference_cell()))
-    , multiplier_shape(
-        make_multiplier_shape(parameters, displacement_shape, path_of(name)))
+    , multiplier_shape(make_multiplier_shape(parameters,
+                                             displacement_shape,
+                                             path_of(name),
+                                             surfaces.cross_section))
     , gap_offsets(parameters, path_of(name))
     , communicator(communicator)
   {
@@ -144,7 +146,8 @@ namespace stickslip
                                  table,
                                  slave_faces,
                                  slaves,
-                                 excluded);
+                                 excluded,
+                                 surfaces.cross_section);
     hand_over_points(hanging,
                      dof_handler,
                      multiplier_keys(),
@@ -160,16 +163,8 @@ namespace stickslip
                                                     slave_faces,
                                                     excluded,
                                                     hanging,
+                                                    surfaces.cross_section,
                                                     points);
-  }
-
-
-
-  template <int dim>
-  unsigned int
-  ContactPair<dim>::n_multiplier_components() const
-  {
-    return parameters.has_tangential_traction() ? dim : 1;
   }
 
 

@@ -21,15 +21,16 @@ namespace stickslip
     const std::vector<SlaveFace<dim>>       &owned_faces,
     const std::set<types::global_dof_index> &excluded,
     const HangingNodes                      &hanging,
+    const CrossSection                      &cross_section,
     std::vector<ContactPoint<dim>>          &points)
     : displacement_shape(displacement_shape)
     , multiplier_shape(multiplier_shape)
-    , rule(displacement_shape, parameters.quadrature_order)
+    , rule(displacement_shape, parameters.quadrature_order, cross_section)
     , integrals(displacement_shape, multiplier_shape)
     , derivatives(displacement_shape, multiplier_shape)
   {
     collect_nodes(slaves, excluded, hanging, owned_faces, points);
-    set_weightings(parameters.weighting);
+    set_weightings(parameters.weighting, cross_section);
     // what is bonded is not pressed against anything
     if (!parameters.is_bilateral())
       find_corners(displacement_shape, faces, nodes);
@@ -129,7 +130,8 @@ namespace stickslip
 
   template <int dim>
   void
-  MortarSurface<dim>::set_weightings(const WeightingFunctions kind)
+  MortarSurface<dim>::set_weightings(const WeightingFunctions kind,
+                                     const CrossSection      &cross_section)
   {
     const auto quadrature =
       gauss_quadrature<dim - 1>(displacement_shape.reference_cell(),
@@ -151,7 +153,9 @@ namespace stickslip
               quadrature.weight(q) *
               surface_normal<dim>(
                 surface_tangents<dim>(values.gradient, undeformed))
-                .norm());
+                .norm() *
+              cross_section.circumference(
+                interpolate<dim>(values.value, undeformed)));
             slave.area += areas.back();
           }
         const auto functions = [&](const WeightingFunctions which) {

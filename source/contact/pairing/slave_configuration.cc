@@ -63,7 +63,8 @@ namespace stickslip
   double
   SlaveConfiguration<dim>::area_ratio(const std::vector<SlaveFace<dim>> &faces,
                                       const SlaveShapeTable<dim>        &table,
-                                      const ContactPoint<dim> &point) const
+                                      const ContactPoint<dim>           &point,
+                                      const CrossSection &section) const
   {
     const unsigned int f         = point.geometry.slave_face;
     const auto        &reference = faces[f].face.reference_positions;
@@ -71,9 +72,17 @@ namespace stickslip
                                                  reference.end());
     const auto                       &gradient =
       table.displacement[point.geometry.quadrature_index].gradient;
-    return surface_normal<dim>(surface_tangents<dim>(gradient, now[f])).norm() /
-           surface_normal<dim>(surface_tangents<dim>(gradient, undeformed))
-             .norm();
+    const auto   a = surface_tangents<dim>(gradient, now[f]);
+    const auto   A = surface_tangents<dim>(gradient, undeformed);
+    const double in_section =
+      surface_normal<dim>(a).norm() / surface_normal<dim>(A).norm();
+    if (!section.is_axisymmetric)
+      return in_section;
+    // on the axis the ratio of the radii is that of what they grow by
+    const double radius = point.geometry.reference_position[0];
+    if (radius > section.radius_of_axis)
+      return in_section * position(table, point).x[0] / radius;
+    return A[0][0] != 0. ? in_section * a[0][0] / A[0][0] : in_section;
   }
 
   template class SlaveConfiguration<2>;

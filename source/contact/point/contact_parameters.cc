@@ -108,7 +108,9 @@ namespace stickslip
                       "P2-P1 element if the displacement degree is 2). "
                       "automatic: vertices on tetrahedra of degree 2, whose "
                       "faces have nodal weights of zero at the vertices, and "
-                      "the displacement trace on all other cells."));
+                      "in axisymmetric models with segments, as faces that "
+                      "end on the axis have such weights there; the "
+                      "displacement trace in all other cases."));
     add_choice(prm,
                "Quadrature",
                quadrature,

@@ -1,5 +1,7 @@
 #include <stickslip/contact/point/contact_points.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <cmath>
 #include <map>
 
@@ -56,6 +58,46 @@ namespace stickslip
       for (auto &[key, normal] : nodal_normals)
         normal /= normal.norm();
       return nodal_normals;
+    }
+
+
+
+    /// The undeformed areas that the points of a face stand for.
+    template <int dim>
+    std::vector<double>
+    areas_of_points(const Quadrature<dim - 1>               &quadrature,
+                    const std::vector<FaceShapeValues<dim>> &table,
+                    const FaceShape<dim>                    &shape,
+                    const std::vector<Tensor<1, dim>>       &nodes,
+                    const CrossSection                      &cross_section)
+    {
+      const auto area_at = [&](const FaceShapeValues<dim> &values) {
+        return surface_normal<dim>(
+                 surface_tangents<dim>(values.gradient, nodes))
+                 .norm() *
+               cross_section.circumference(
+                 interpolate<dim>(values.value, nodes));
+      };
+      std::vector<double> areas;
+      for (unsigned int q = 0; q < quadrature.size(); ++q)
+        areas.push_back(quadrature.weight(q) * area_at(table[q]));
+      if (!cross_section.is_axisymmetric || quadrature.size() != 2)
+        return areas;
+
+      const double         begin  = quadrature.point(0)[0];
+      const double         length = quadrature.point(1)[0] - begin;
+      const auto           exact  = QGauss<dim - 1>(shape.degree() + 2);
+      FaceShapeValues<dim> values;
+      areas.assign(2, 0.);
+      for (unsigned int g = 0; g < exact.size(); ++g)
+        {
+          shape.evaluate(exact.point(g), values);
+          const double area  = exact.weight(g) * area_at(values);
+          const double share = (exact.point(g)[0] - begin) / length;
+          areas[0] += (1. - share) * area;
+          areas[1] += share * area;
+        }
+      return areas;
     }
 
 
@@ -164,48 +206,51 @@ namespace stickslip
                       const SlaveShapeTable<dim>            &table,
                       const std::vector<SlaveFace<dim>>     &slave_faces,
                       const std::vector<CollectedFace<dim>> &faces_with_ghosts,
-                      const std::set<types::global_dof_index> &excluded)
+                      const std::set<types::global_dof_index> &excluded,
+                      const CrossSection                      &cross_section)
   {
     const auto nodal_normals =
       average_reference_normals(faces_with_ghosts, displacement_shape);
     std::vector<ContactPoint<dim>> points;
     for (unsigned int f = 0; f < slave_faces.size(); ++f)
-      for (unsigned int q = 0; q < quadrature.size(); ++q)
-        {
-          bool carries_multiplier = false;
-          for (unsigned int l = 0; l < multiplier_shape.n_nodes(); ++l)
-            carries_multiplier =
-              carries_multiplier ||
-              (std::abs(table.multiplier[q][l]) > 1e-12 &&
-               excluded.count(
-                 slave_faces[f]
-                   .face.dofs[dim * displacement_node(displacement_shape,
-                                                      multiplier_shape,
-                                                      l)]) == 0);
-          if (!carries_multiplier)
-            continue;
-          ContactPoint<dim> point;
-          point.geometry.slave_face         = f;
-          point.geometry.quadrature_index   = q;
-          const auto                 &shape = table.displacement[q];
-          std::vector<Tensor<1, dim>> nodes;
-          for (unsigned int j = 0; j < slave_faces[f].face.n_nodes; ++j)
-            nodes.emplace_back(slave_faces[f].face.reference_positions[j]);
-          for (unsigned int j = 0; j < nodes.size(); ++j)
-            point.geometry.reference_position += shape.value[j] * nodes[j];
-          point.geometry.weight =
-            quadrature.weight(q) *
-            surface_normal<dim>(surface_tangents<dim>(shape.gradient, nodes))
-              .norm();
-          set_reference_frames(point,
-                               slave_faces[f].face,
-                               displacement_shape,
-                               multiplier_shape,
-                               shape.gradient,
-                               nodal_normals);
-          point.nodal_rotations = point.geometry.reference_rotations;
-          points.push_back(point);
-        }
+      {
+        const auto nodes = slave_faces[f].face.undeformed_nodes();
+        const auto areas = areas_of_points(quadrature,
+                                           table.displacement,
+                                           displacement_shape,
+                                           nodes,
+                                           cross_section);
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
+          {
+            bool carries_multiplier = false;
+            for (unsigned int l = 0; l < multiplier_shape.n_nodes(); ++l)
+              carries_multiplier =
+                carries_multiplier ||
+                (std::abs(table.multiplier[q][l]) > 1e-12 &&
+                 excluded.count(
+                   slave_faces[f]
+                     .face.dofs[dim * displacement_node(displacement_shape,
+                                                        multiplier_shape,
+                                                        l)]) == 0);
+            if (!carries_multiplier)
+              continue;
+            ContactPoint<dim> point;
+            point.geometry.slave_face       = f;
+            point.geometry.quadrature_index = q;
+            const auto &shape               = table.displacement[q];
+            point.geometry.reference_position =
+              interpolate<dim>(shape.value, nodes);
+            point.geometry.weight = areas[q];
+            set_reference_frames(point,
+                                 slave_faces[f].face,
+                                 displacement_shape,
+                                 multiplier_shape,
+                                 shape.gradient,
+                                 nodal_normals);
+            point.nodal_rotations = point.geometry.reference_rotations;
+            points.push_back(point);
+          }
+      }
     return points;
   }
 
@@ -221,7 +266,8 @@ namespace stickslip
     const SlaveShapeTable<dim> &,                                 \
     const std::vector<SlaveFace<dim>> &,                          \
     const std::vector<CollectedFace<dim>> &,                      \
-    const std::set<types::global_dof_index> &);
+    const std::set<types::global_dof_index> &,                    \
+    const CrossSection &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -30,7 +30,8 @@ namespace stickslip
   FaceShape<dim>
   make_multiplier_shape(const ContactPairParameters &parameters,
                         const FaceShape<dim>        &displacement_shape,
-                        const std::string           &path)
+                        const std::string           &path,
+                        const CrossSection          &cross_section)
   {
     const bool is_quadratic_triangle =
       displacement_shape.is_triangle() && displacement_shape.degree() > 1;
@@ -38,7 +39,10 @@ namespace stickslip
       check_quadratic_triangles(parameters, path);
     const bool is_linear =
       is_quadratic_triangle ||
-      parameters.multiplier_space == MultiplierSpace::vertices;
+      parameters.multiplier_space == MultiplierSpace::vertices ||
+      (parameters.multiplier_space == MultiplierSpace::automatic &&
+       cross_section.is_axisymmetric &&
+       parameters.quadrature == ContactRule::segments);
     return FaceShape<dim>(is_linear ? 1 : displacement_shape.degree(),
                           displacement_shape.reference_cell());
   }
@@ -48,9 +52,11 @@ namespace stickslip
   template FaceShape<2>
   make_multiplier_shape(const ContactPairParameters &,
                         const FaceShape<2> &,
-                        const std::string &);
+                        const std::string &,
+                        const CrossSection &);
   template FaceShape<3>
   make_multiplier_shape(const ContactPairParameters &,
                         const FaceShape<3> &,
-                        const std::string &);
+                        const std::string &,
+                        const CrossSection &);
 } // namespace stickslip

@@ -18,12 +18,31 @@ namespace stickslip
 
     /// Points per direction that are exact for products of two shape functions:
     /// they have degree 2 p along a line and on triangles, and 4 p in a plane.
+    /// The radius of a body of revolution adds one degree to them, and one to
+    /// where the points are opposite, in the derivatives.
     template <int dim>
     unsigned int
-    exact_order(const FaceShape<dim> &shape)
+    exact_order(const FaceShape<dim> &shape, const CrossSection &cross_section)
     {
+      if (cross_section.is_axisymmetric)
+        return shape.degree() + 2;
       return dim == 2 || shape.is_triangle() ? shape.degree() + 1
                                              : 2 * shape.degree() + 1;
+    }
+
+
+
+    /// The area of the undeformed body per parametric area where a face with
+    /// these nodes has the shape functions @p values.
+    template <int dim>
+    double
+    undeformed_area(const FaceShapeValues<dim>        &values,
+                    const std::vector<Tensor<1, dim>> &nodes,
+                    const CrossSection                &cross_section)
+    {
+      return surface_normal<dim>(surface_tangents<dim>(values.gradient, nodes))
+               .norm() *
+             cross_section.circumference(interpolate<dim>(values.value, nodes));
     }
 
 
@@ -157,10 +176,15 @@ namespace stickslip
 
   template <int dim>
   SegmentRule<dim>::SegmentRule(const FaceShape<dim> &shape,
-                                const unsigned int    order)
+                                const unsigned int    order,
+                                const CrossSection   &cross_section)
     : shape(shape)
-    , exact_rule(simplex_quadrature<dim>(exact_order<dim>(shape), order))
-    , other_rule(simplex_quadrature<dim>(exact_order<dim>(shape) + 2, order))
+    , cross_section(cross_section)
+    , exact_rule(
+        simplex_quadrature<dim>(exact_order<dim>(shape, cross_section), order))
+    , other_rule(
+        simplex_quadrature<dim>(exact_order<dim>(shape, cross_section) + 2,
+                                order))
     , edge_rule(QGauss<dim - 2>(2 * shape.degree() + 1))
   {}
 
@@ -265,12 +289,9 @@ namespace stickslip
                                   values,
                                   area_ratio))
                     continue;
-                  const double undeformed_area =
-                    surface_normal<dim>(
-                      surface_tangents<dim>(values.gradient, undeformed))
-                      .norm();
                   point.weight =
-                    quadrature.weight(q) * scale * undeformed_area / area_ratio;
+                    quadrature.weight(q) * scale / area_ratio *
+                    undeformed_area(values, undeformed, cross_section);
                   points.push_back(point);
                 }
             }
@@ -344,11 +365,8 @@ namespace stickslip
                         p, plane, slave.positions, end.xi, values, area_ratio))
                     continue;
                   end.weight =
-                    edge_rule.weight(q) * length *
-                    surface_normal<dim>(
-                      surface_tangents<dim>(values.gradient, undeformed))
-                      .norm() /
-                    area_ratio;
+                    edge_rule.weight(q) * length / area_ratio *
+                    undeformed_area(values, undeformed, cross_section);
                   ends.push_back(end);
                 }
             }

@@ -29,6 +29,7 @@ namespace stickslip
     std::set<types::boundary_id> master_body; ///< likewise
     /// First dofs of further nodes without contact, among the relevant ones.
     std::set<types::global_dof_index> excluded_nodes = {};
+    CrossSection                      cross_section  = {};
   };
 
 
@@ -66,7 +67,10 @@ namespace stickslip
 
     /// 1 (without tangential traction) or dim.
     unsigned int
-    n_multiplier_components() const;
+    n_multiplier_components() const
+    {
+      return parameters.has_tangential_traction() ? dim : 1;
+    }
 
     /// Multiplier nodes of the owned slave faces (first displacement dofs).
     std::vector<types::global_dof_index>
@@ -166,7 +170,10 @@ namespace stickslip
     double
     area_ratio(const ContactPoint<dim> &point) const
     {
-      return slave_configuration.area_ratio(slave_faces, table, point);
+      return slave_configuration.area_ratio(slave_faces,
+                                            table,
+                                            point,
+                                            surfaces.cross_section);
     }
 
     const ContactPairParameters         parameters;

@@ -44,6 +44,7 @@ namespace stickslip
                   const std::vector<SlaveFace<dim>>       &owned_faces,
                   const std::set<types::global_dof_index> &excluded,
                   const HangingNodes                      &hanging,
+                  const CrossSection                      &cross_section,
                   std::vector<ContactPoint<dim>>          &points);
 
     const MortarNode<dim> &
@@ -196,7 +197,8 @@ namespace stickslip
                   std::vector<ContactPoint<dim>>          &points);
 
     void
-    set_weightings(const WeightingFunctions kind);
+    set_weightings(const WeightingFunctions kind,
+                   const CrossSection      &cross_section);
 
     PairingPointer
     empty_pairing() const;

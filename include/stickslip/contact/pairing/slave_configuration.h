@@ -36,11 +36,12 @@ namespace stickslip
            const SlaveShapeTable<dim>        &table,
            const ContactPoint<dim>           &point) const;
 
-    /// Current over reference area at a point.
+    /// Current over reference area of the body at a point.
     double
     area_ratio(const std::vector<SlaveFace<dim>> &faces,
                const SlaveShapeTable<dim>        &table,
-               const ContactPoint<dim>           &point) const;
+               const ContactPoint<dim>           &point,
+               const CrossSection                &section) const;
 
   private:
     std::vector<std::vector<Tensor<1, dim>>> now; ///< [face][node]

@@ -42,7 +42,8 @@ namespace stickslip
 
   enum class MultiplierSpace
   {
-    automatic,          ///< vertices on quadratic triangles, else the trace
+    automatic, ///< vertices on quadratic triangles and, with segments, in
+               ///< sections of bodies of revolution, else the trace
     displacement_trace, ///< of the degree of the displacement
     vertices            ///< linear
   };

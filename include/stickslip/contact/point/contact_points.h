@@ -3,6 +3,8 @@
 
 #include <stickslip/contact/point/contact_point.h>
 
+#include <stickslip/mesh/cross_section.h>
+
 #include <deal.II/base/quadrature.h>
 
 #include <set>
@@ -36,7 +38,9 @@ namespace stickslip
    * reference frames. Points whose multiplier shape functions all belong to
    * @p excluded nodes are left out. The averaged normals that carry the nodal
    * frames come from @p faces_with_ghosts, so they are the same on all ranks.
-   * Not collective.
+   * In a section of bodies of revolution the weights are areas all around;
+   * those of two points are the integrals of the linear functions of these, so
+   * that a point on the axis has one. Not collective.
    */
   template <int dim>
   std::vector<ContactPoint<dim>>
@@ -46,7 +50,8 @@ namespace stickslip
                       const SlaveShapeTable<dim>            &table,
                       const std::vector<SlaveFace<dim>>     &slave_faces,
                       const std::vector<CollectedFace<dim>> &faces_with_ghosts,
-                      const std::set<types::global_dof_index> &excluded);
+                      const std::set<types::global_dof_index> &excluded,
+                      const CrossSection &cross_section = {});
 } // namespace stickslip
 
 #endif

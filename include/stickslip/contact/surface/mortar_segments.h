@@ -3,6 +3,8 @@
 
 #include <stickslip/contact/surface/projected_face.h>
 
+#include <stickslip/mesh/cross_section.h>
+
 #include <deal.II/base/quadrature.h>
 
 #include <array>
@@ -48,14 +50,17 @@ namespace stickslip
    * triangles (2D: intervals). Exact for products of two shape functions where
    * both faces are parallelograms or straight triangles; of a higher order
    * where they are not, as the shape functions then are no polynomials in the
-   * plane.
+   * plane. Areas are those of the body of revolution, if the model is a section
+   * of one.
    */
   template <int dim>
   class SegmentRule
   {
   public:
     /// At least @p order points per direction.
-    SegmentRule(const FaceShape<dim> &shape, const unsigned int order);
+    SegmentRule(const FaceShape<dim> &shape,
+                const unsigned int    order,
+                const CrossSection   &cross_section = {});
 
     /// One side of an intersection: a face, where its nodes are, and how it
     /// looks from the plane.
@@ -93,6 +98,7 @@ namespace stickslip
 
   private:
     const FaceShape<dim> shape;
+    const CrossSection   cross_section;
     Quadrature<dim - 1>
       exact_rule; ///< for parallelograms and straight triangles
     Quadrature<dim - 1> other_rule;
