@@ -236,6 +236,19 @@ CASES = {
         "block.prm", plastic("Hardening = linear", "Hardening modulus = 5", "Hardening modulus is = tangent modulus"),
         WRONG_INPUT, ["Hardening modulus", "less than Young's modulus"]),
     "plane stress in 3D": ("block.prm", material("linear elastic", "set Plane stress = true"), WRONG_INPUT, ["Materials/matter/Plane stress", "Dimension is 3"]),
+    "plane stress of bodies of revolution": (
+        "unheld_block.prm", "set Axisymmetric = true\n" + body("block", "Material = matter") + material("linear elastic", "set Plane stress = true"),
+        WRONG_INPUT, ["Materials/matter/Plane stress", "Axisymmetric"]),
+    "bodies of revolution in 3D": ("block.prm", "set Axisymmetric = true", WRONG_INPUT, ["Axisymmetric", "Dimension is 3"]),
+    "a negative radius": ("plate.prm", "set Axisymmetric = true", WRONG_INPUT, ["Bodies/base", "x = -10", "the radius"]),
+    "multipliers without area on the axis": (
+        "plate.prm", "set Axisymmetric = true\nset Degree = 2\n" + body("base", "Arguments = 1, 1 : 0, -10 : 50, 0 : true")
+        + pair("Quadrature = segments", "Multiplier space = displacement trace"),
+        WRONG_INPUT, ["Contact/base/Multiplier space", "axis", "'automatic'"]),
+    "a rigid body that leaves its axis": (
+        "plate.prm", "set Axisymmetric = true\n" + body("base", "Arguments = 1, 1 : 0, -10 : 50, 0 : true")
+        + own_condition("Body = base", "Type = rigid motion", "Translation = t; 0"),
+        WRONG_INPUT, ["Boundary conditions/own/Translation", "'t; 0'", "along y"]),
     "B-bar with a law of large strains": ("block.prm", material("Hencky", "set Element = B-bar"), WRONG_INPUT, ["Materials/matter/Element", "Take F-bar"]),
     "a parameter of another law": ("plate.prm", steel("Yield stress = 1"), WRONG_INPUT, ["Materials/steel/Yield stress", "Poisson's ratio"]),
     "a decimal comma": ("plate.prm", steel("Young's modulus = 1,3e5"), WRONG_INPUT, ["Materials/steel/Young's modulus", "1,3e5", "a number"]),

@@ -23,6 +23,7 @@ SHORTER = {
     "machine": {"Load stepping/Initial step": 0.25},
     "pin_in_lug": {"Load stepping/Initial step": 1},
     "press_fit": {"Load stepping/Initial step": 0.25},
+    "pull_out": {"Load stepping/Initial step": 0.25},
     "roller": {},
     "seal": {"Bodies/ring/Refinements": 3, "Load stepping/Initial step": 0.1},
     "slope": {},

@@ -251,7 +251,7 @@ namespace stickslip
   template Tensor<1, dim> surface_force(const Load<dim> &,      \
                                         const Point<dim> &,     \
                                         const Tensor<1, dim> &, \
-                                        const Tensor<2, dim> &, \
+                                        const Tensor<2, 3> &,   \
                                         const Tensor<1, dim> &, \
                                         const double);
   INSTANTIATE(2)
