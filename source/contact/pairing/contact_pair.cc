@@ -76,6 +76,8 @@ namespace stickslip
       collect_faces(mapping, dof_handler, surfaces.slave, modulus, true);
     auto masters =
       collect_faces(mapping, dof_handler, surfaces.master, modulus, true);
+    drop_faces_on_axis(surfaces.cross_section, slaves);
+    drop_faces_on_axis(surfaces.cross_section, masters);
     measure_thickness(dof_handler,
                       surfaces.slave_body,
                       displacement_shape,

@@ -191,6 +191,23 @@ namespace stickslip
 
   template <int dim>
   void
+  drop_faces_on_axis(const CrossSection              &cross_section,
+                     std::vector<CollectedFace<dim>> &faces)
+  {
+    const auto is_on_axis = [&](const CollectedFace<dim> &collected) {
+      const auto nodes = collected.face.undeformed_nodes();
+      return std::all_of(nodes.begin(), nodes.end(), [&](const auto &X) {
+        return cross_section.is_on_axis(X);
+      });
+    };
+    faces.erase(std::remove_if(faces.begin(), faces.end(), is_on_axis),
+                faces.end());
+  }
+
+
+
+  template <int dim>
+  void
   add_nodal_normals(std::vector<CollectedFace<dim>> &faces,
                     const FaceShape<dim>            &shape,
                     const double                     angle)
@@ -275,6 +292,8 @@ namespace stickslip
     const std::set<types::boundary_id> &,                                      \
     const std::function<double(const types::material_id)> &,                   \
     const bool);                                                               \
+  template void drop_faces_on_axis(const CrossSection &,                       \
+                                   std::vector<CollectedFace<dim>> &);         \
   template void add_nodal_normals(std::vector<CollectedFace<dim>> &,           \
                                   const FaceShape<dim> &,                      \
                                   const double);

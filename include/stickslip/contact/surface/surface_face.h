@@ -5,6 +5,8 @@
 
 #include <stickslip/contact/surface/face_shape.h>
 
+#include <stickslip/mesh/cross_section.h>
+
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/point.h>
 
@@ -216,6 +218,12 @@ namespace stickslip
                 const std::set<types::boundary_id> &boundary_ids,
                 const std::function<double(const types::material_id)> &modulus,
                 const bool with_ghosts);
+
+  /// Removes faces on the axis of bodies of revolution, which has no area.
+  template <int dim>
+  void
+  drop_faces_on_axis(const CrossSection              &cross_section,
+                     std::vector<CollectedFace<dim>> &faces);
 
   /**
    * Fills the nodal normals of the faces on locally owned cells from all given
