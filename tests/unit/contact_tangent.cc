@@ -593,9 +593,6 @@ namespace
     Case c{"P2-P1 segments", 2, "smoothed", "segments"};
     c.space = "vertices";
     test(c);
-    c.name          = "P2-P1 segments with hanging nodes";
-    c.hanging_nodes = c.hanging_slave = true;
-    test(c);
     c           = {"segments", 2, "smoothed", "segments"};
     c.simplices = true;
     c.space     = "automatic";

@@ -35,8 +35,8 @@ namespace stickslip
   /**
    * What one contact pair transmits, as sums over its contact points. Forces
    * act on the slave; in 2D they are per unit thickness, or, of bodies of
-   * revolution, all around: then the radial components are sums of magnitudes,
-   * as the vectors cancel. Closed points are those that stick or slip.
+   * revolution, all around: then the radial components are sums of those of the
+   * points, whose vectors cancel. Closed points are those that stick or slip.
    */
   template <int dim>
   struct ContactResultants

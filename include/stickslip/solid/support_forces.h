@@ -13,10 +13,10 @@ namespace stickslip
    * The forces that prescribed displacements exert on the bodies at time
    * @p time, by the name of the condition, in the order of
    * BoundaryConditions::prescribed_displacements(); in 2D per unit of
-   * thickness, or, of bodies of revolution, all around (radial ones as a sum of
-   * magnitudes, as their vectors cancel). @p unbalanced (locally owned entries) is what internal, contact
-   * and external forces leave at the nodes: at equilibrium nothing but the
-   * forces of the supports.
+   * thickness, or, of bodies of revolution, all around (radial components are
+   * summed up, whose vectors cancel). @p unbalanced (locally owned entries) is
+   * what internal, contact and external forces leave at the nodes: at
+   * equilibrium nothing but the forces of the supports.
    *
    * At a node that several conditions hold, each gets the part along the
    * directions that those before it leave free, so that the sum over all
