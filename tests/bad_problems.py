@@ -9,10 +9,6 @@ def rule(*lines):
     return "subsection Refinement\n subsection spot\n  set %s\n end\nend\n" % "\n  set ".join(lines)
 
 
-def adaptation(*lines):
-    return "subsection Adaptation\n set %s\nend\n" % "\n set ".join(lines)
-
-
 # what is wrong: (file, text added below an include of it, exit code, words of the message)
 CASES = {
     "unknown parameter": (
@@ -309,19 +305,6 @@ CASES = {
         "plate.prm", own_condition("Body = plate", "Boundary = 3", "Type = spring"), WRONG_INPUT, ["Boundary conditions/own/Stiffness", "greater than 0"]),
     "a spring of unknown direction": (
         "plate.prm", own_condition("Body = plate", "Boundary = 3", "Type = spring", "Stiffness = 1", "Direction = w"), WRONG_INPUT, ["Boundary conditions/own/Direction", "'w'"]),
-    "unknown error estimator": (
-        "plate.prm", adaptation("Estimator = Keley"), WRONG_INPUT, ["Adaptation/Estimator", "Keley", "recovery", "none"]),
-    "cells to refine and to coarsen": (
-        "plate.prm", adaptation("Estimator = Kelly", "Refine fraction = 0.7", "Coarsen fraction = 0.4"),
-        WRONG_INPUT, ["Adaptation/Coarsen fraction", "0.4", "'Refine fraction' = 0.7", "0.3"]),
-    "least levels above most levels": (
-        "plate.prm", adaptation("Estimator = Kelly", "Least levels = 4"),
-        WRONG_INPUT, ["Adaptation/Least levels", "4", "'Most levels' = 3"]),
-    "estimator with a distance that it has no use for": (
-        "plate.prm", adaptation("Estimator = Kelly", "Distance = 1"), WRONG_INPUT, ["Adaptation/Distance", "Kelly", "no use for it"]),
-    "contact zone without contact": (
-        "block.prm", material("linear elastic") + adaptation("Estimator = contact zone"),
-        WRONG_INPUT, ["Adaptation/Estimator", "contact zone", "no contact", "'residual'"]),
     "rule of refinement without its lengths": (
         "plate.prm", rule("Type = contact", "Contact pair = base"),
         WRONG_INPUT, ["Refinement/spot/Distance is missing", "Type = contact"]),

@@ -32,7 +32,9 @@ namespace stickslip
         {
           const double jump = jumps[cell->active_cell_index()];
           squares[cell->active_cell_index()] =
-            2. * moduli.of(cell).shear * jump * jump;
+            2. * moduli.of(cell).shear * jump * jump *
+            problem.bodies().cross_section.circumference(
+              Tensor<1, dim>(cell->center()));
         }
     return squares;
   }

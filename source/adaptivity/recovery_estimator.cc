@@ -114,6 +114,7 @@ namespace stickslip
         : dofs(problem.layout())
         , triangulation(dofs.dof_handler.get_triangulation())
         , moduli(problem)
+        , cross_section(problem.bodies().cross_section)
         , stresses(problem, StressMeasure::cauchy)
         , neighbours(GridTools::vertex_to_cell_map(triangulation))
         , fe_values(dofs.mapping,
@@ -153,6 +154,7 @@ namespace stickslip
       const DofLayout<dim>               &dofs;
       const Triangulation<dim>           &triangulation;
       const LinearModuliOf<dim>           moduli;
+      const CrossSection                  cross_section;
       const CellStresses<dim>             stresses;
       std::vector<std::set<CellIterator>> neighbours; ///< of vertices
       FEValues<dim>                       fe_values;
@@ -262,7 +264,9 @@ namespace stickslip
               difference +=
                 (shares[k] + rest / shares.size()) *
                 at_vertices[k].second(fe_values.quadrature_point(q));
-            square += moduli.of(cell).square(difference) * fe_values.JxW(q);
+            square += moduli.of(cell).square(difference) * fe_values.JxW(q) *
+                      cross_section.circumference(
+                        Tensor<1, dim>(fe_values.quadrature_point(q)));
           }
         return square;
       }

@@ -217,6 +217,10 @@ namespace stickslip
       rule.check("Refinement/" + name, dimension);
     adaptation.check("Adaptation",
                      !contact_pairs.empty() || automatic_contact.active);
+    if (axisymmetric && adaptation.estimator == "residual")
+      throw UserError(
+        "Adaptation/Estimator = residual knows no bodies of "
+        "revolution (Axisymmetric = true). Take 'recovery'.");
     for (const auto &[name, material] : materials)
       {
         material.check("Materials/" + name, dimension, degree);
