@@ -22,6 +22,7 @@ SHORTER = {
     "lug": {"Bodies/lug/Refinements": 2, "Bodies/pin/Refinements": 2, "Load stepping/Initial step": 0.5},
     "machine": {"Load stepping/Initial step": 0.25},
     "pin_in_lug": {"Load stepping/Initial step": 1},
+    "ploughing": {"Load stepping/End time": 1.5},
     "press_fit": {"Load stepping/Initial step": 0.25},
     "pull_out": {"Load stepping/Initial step": 0.25},
     "roller": {},

@@ -16,7 +16,7 @@ NAMES_OF_HEADERS = {
     "cctype": "isalnum isalpha isdigit isspace tolower toupper",
     "charconv": "from_chars to_chars",
     "chrono": "chrono",
-    "cmath": "acos asin atan atan2 cbrt ceil copysign cos cosh exp expm1 fabs floor fma fmod hypot isfinite isinf isnan ldexp log"
+    "cmath": "acos asin atan atan2 cbrt ceil copysign cos cosh exp expm1 fabs floor fma fmod frexp hypot isfinite isinf isnan ldexp log"
              " log10 log1p log2 lround nearbyint pow remainder round sin sinh sqrt tan tanh trunc",
     "cmath cstdlib": "abs",
     "csignal": "sig_atomic_t signal",

@@ -52,9 +52,9 @@ namespace stickslip
                "and those with the smallest, which have about Coarsen "
                "fraction of it. 'fixed number': these fractions of the cells. "
                "'error target': those with more than the share of Error "
-               "target that falls to each cell, as long as the whole error is "
-               "larger than that, and those with much less. Cells of rigid "
-               "bodies do not count. ('contact zone' and 'contact edge' mark "
+               "target that falls to each cell (with four times as much where "
+               "the whole error is below the target), and those with much "
+               "less. Cells of rigid bodies do not count. ('contact zone' and 'contact edge' mark "
                "their cells, whatever stands here.)");
     prm.add_parameter(
       "Every",

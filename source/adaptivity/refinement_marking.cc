@@ -210,7 +210,9 @@ namespace stickslip
         return flags;
       }
 
-      /// Each of @p n cells has the same share of the target. A cell may be
+      /// Each of @p n cells has the same share of the target. One with much more
+      /// is refined also where the whole error is below it: what moves, as
+      /// contact does, leaves the cells that were made for it. A cell may be
       /// coarser if its parent, with linear elements, stays well below the
       /// share: its children have 2^dim indicators, a fourth of whose sum each.
       Flags
@@ -218,9 +220,7 @@ namespace stickslip
       {
         const double target = parameters.error_target * estimate.energy_norm;
         const double share  = target * target / n;
-        return by_threshold(estimate.error > target
-                              ? share
-                              : std::numeric_limits<double>::max(),
+        return by_threshold(estimate.error > target ? share : 4. * share,
                             share / (16. * children));
       }
 

@@ -366,8 +366,7 @@ namespace stickslip
                              cell,
                              parameters.partitioner,
                              periodic_requests);
-    const double bytes_per_cell = parameters.bytes_per_cell;
-    const auto   distribute =
+    const auto distribute =
       (with_metis ? distribute_with_metis<dim> : distribute_with_p4est<dim>);
     mesh.triangulation = distribute(
       joined_mesh,
@@ -376,8 +375,11 @@ namespace stickslip
       {costly_surfaces, mesh.bodies, parameters.contact_weight},
       [&](parallel::distributed::Triangulation<dim> &triangulation) {
         if (!refinements.empty())
-          refine_locally(
-            refinements, mesh.bodies, size, bytes_per_cell, triangulation);
+          refine_locally(refinements,
+                         mesh.bodies,
+                         size,
+                         parameters.bytes_per_cell,
+                         triangulation);
       },
       communicator);
     if (parameters.is_axisymmetric)

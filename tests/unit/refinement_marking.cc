@@ -117,6 +117,7 @@ main(int argc, char **argv)
   mark(
     "half of the error",
     [](AdaptationParameters &a) {
+      a.marking          = Marking::fixed_fraction;
       a.refine_fraction  = 0.5;
       a.coarsen_fraction = 0.05; // nothing is coarser than the coarse mesh
     },
@@ -158,6 +159,15 @@ main(int argc, char **argv)
       a.error_target = 0.2;
     },
     rising,
+    false,
+    mesh);
+  mark(
+    "the target is reached, but some have more than four shares",
+    [](AdaptationParameters &a) {
+      a.marking      = Marking::error_target;
+      a.error_target = 0.18;
+    },
+    [&rising](const Point<2> &p) { return rising(p) > 15.5 ? 200. : 1.; },
     false,
     mesh);
   const auto corner = [](const Point<2> &p) {

@@ -15,7 +15,9 @@
 
 #include <deal.II/fe/fe_q.h>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
