@@ -366,7 +366,8 @@ namespace stickslip
                              cell,
                              parameters.partitioner,
                              periodic_requests);
-    const auto distribute =
+    const double bytes_per_cell = parameters.bytes_per_cell;
+    const auto   distribute =
       (with_metis ? distribute_with_metis<dim> : distribute_with_p4est<dim>);
     mesh.triangulation = distribute(
       joined_mesh,
@@ -374,12 +375,8 @@ namespace stickslip
       parameters.global_refinements,
       {costly_surfaces, mesh.bodies, parameters.contact_weight},
       [&](parallel::distributed::Triangulation<dim> &triangulation) {
-        if (!refinements.empty())
-          refine_locally(refinements,
-                         mesh.bodies,
-                         size,
-                         parameters.bytes_per_cell,
-                         triangulation);
+        refine_locally(
+          refinements, mesh.bodies, size, bytes_per_cell, triangulation);
       },
       communicator);
     if (parameters.is_axisymmetric)
