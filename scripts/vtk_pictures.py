@@ -150,7 +150,35 @@ def outline_edges(surface):
     edges.ManifoldEdgesOff()
     edges.ColoringOff()
     edges.Update()
-    return edges.GetOutput()
+    return without_level_borders(edges.GetOutput())
+
+
+def without_level_borders(lines):
+    """Without edges that seem to have cells on one side only: a coarse one, and the two of finer cells that cover it."""
+    pairs = vtk_to_numpy(lines.GetLines().GetData()).reshape(-1, 3)[:, 1:]
+    if len(pairs) == 0:
+        return lines
+    points = vtk_to_numpy(lines.GetPoints().GetData())
+    known = {frozenset(pair) for pair in pairs.tolist()}
+    locator = vtk.vtkPointLocator()
+    locator.SetDataSet(lines)
+    locator.BuildLocator()
+    covered = set()
+    for a, b in pairs.tolist():
+        middle = 0.5 * (points[a] + points[b])
+        m = locator.FindClosestPoint(middle)
+        halves = {frozenset((a, m)), frozenset((m, b))}
+        is_there = np.linalg.norm(points[m] - middle) < 1e-3 * np.linalg.norm(points[b] - points[a])
+        if is_there and halves <= known:
+            covered |= halves | {frozenset((a, b))}
+    rest = vtk.vtkCellArray()
+    for pair in pairs.tolist():
+        if frozenset(pair) not in covered:
+            rest.InsertNextCell(2, pair)
+    result = vtk.vtkPolyData()
+    result.SetPoints(lines.GetPoints())
+    result.SetLines(rest)
+    return result
 
 
 def picture_of(actors, size, direction, up, bounds=None):

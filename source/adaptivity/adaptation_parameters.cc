@@ -54,7 +54,8 @@ namespace stickslip
                "'error target': those with more than the share of Error "
                "target that falls to each cell (with four times as much where "
                "the whole error is below the target), and those with much "
-               "less. Cells of rigid bodies do not count. ('contact zone' and 'contact edge' mark "
+               "less. Cells of rigid bodies do not count. ('contact zone' and "
+               "'contact edge' mark "
                "their cells, whatever stands here.)");
     prm.add_parameter(
       "Every",

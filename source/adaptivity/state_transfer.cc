@@ -134,7 +134,7 @@ namespace stickslip
         field->compress(VectorOperation::insert);
         problem.make_conforming(*field);
       }
-    const auto all = surface_values(problem, records);
+    const auto all = carried_values(problem, records);
     set_slip(problem.contact(), all);
     problem.restore();
     set_multipliers(problem, all, guessed_state, time, state.guess);

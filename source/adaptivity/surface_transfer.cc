@@ -77,7 +77,7 @@ namespace stickslip
     template <int dim>
     std::pair<double, Tensor<1, dim>>
     at_multiplier_node(const ContactPair<dim>                &pair,
-                       const std::vector<SurfaceValues<dim>> &nodes,
+                       const std::vector<CarriedValues<dim>> &nodes,
                        const WhichState                       state,
                        const unsigned int                     l)
     {
@@ -99,7 +99,7 @@ namespace stickslip
     template <int dim>
     void
     set_normal_multipliers(const ContactAssembler<dim> &contact,
-                           const AllSurfaceValues<dim> &all,
+                           const AllCarriedValues<dim> &all,
                            const WhichState             state,
                            LA::Vector                  &multipliers)
     {
@@ -121,7 +121,7 @@ namespace stickslip
     template <int dim>
     void
     set_friction_multipliers(const ContactAssembler<dim> &contact,
-                             const AllSurfaceValues<dim> &all,
+                             const AllCarriedValues<dim> &all,
                              const WhichState             state,
                              LA::Vector                  &multipliers)
     {
@@ -204,10 +204,10 @@ namespace stickslip
             auto &values =
               surface_of(records[cell->active_cell_index()],
                          p,
-                         n_nodes * SurfaceValues<dim>::n_components);
+                         n_nodes * CarriedValues<dim>::n_components);
             for (unsigned int j = 0; j < nodes.size(); ++j)
               {
-                SurfaceValues<dim> at_node{
+                CarriedValues<dim> at_node{
                   {{result.lambda_n[j], guess.lambda_n[j]}},
                   {{result.Lambda[j], guess.Lambda[j]}},
                   slip[j]};
@@ -223,15 +223,15 @@ namespace stickslip
 
 
   template <int dim>
-  AllSurfaceValues<dim>
-  surface_values(ContactProblem<dim>           &problem,
+  AllCarriedValues<dim>
+  carried_values(ContactProblem<dim>           &problem,
                  const std::vector<CellRecord> &records)
   {
     const DofLayout<dim> &layout  = problem.layout();
     const auto           &pairs   = problem.contact().contact_pairs();
     const auto            faces   = faces_of_cells(problem.contact());
     const unsigned int    n_nodes = layout.fe.dofs_per_cell / dim;
-    AllSurfaceValues<dim> all(pairs.size());
+    AllCarriedValues<dim> all(pairs.size());
     for (unsigned int p = 0; p < pairs.size(); ++p)
       all[p].resize(pairs[p]->slave_faces.size());
     std::vector<types::global_dof_index> dofs(layout.fe.dofs_per_cell);
@@ -247,11 +247,11 @@ namespace stickslip
         for (const auto &[p, f] : found->second)
           {
             const auto &values =
-              surface_of(record, p, n_nodes * SurfaceValues<dim>::n_components);
+              surface_of(record, p, n_nodes * CarriedValues<dim>::n_components);
             for (const unsigned int node :
                  nodes_in_cell(pairs[p]->slave_faces[f].face, layout.fe, dofs))
               {
-                SurfaceValues<dim> at_node;
+                CarriedValues<dim> at_node;
                 at_node.for_each_component(
                   [&](const unsigned int c, double &value) {
                     value = values[c * n_nodes + node];
@@ -268,7 +268,7 @@ namespace stickslip
   template <int dim>
   void
   set_slip(const ContactAssembler<dim> &contact,
-           const AllSurfaceValues<dim> &all)
+           const AllCarriedValues<dim> &all)
   {
     for (unsigned int p = 0; p < all.size(); ++p)
       {
@@ -290,7 +290,7 @@ namespace stickslip
   template <int dim>
   void
   set_multipliers(ContactProblem<dim>         &problem,
-                  const AllSurfaceValues<dim> &all,
+                  const AllCarriedValues<dim> &all,
                   const WhichState             state,
                   const double                 time,
                   LA::BlockVector             &x)
@@ -311,12 +311,12 @@ namespace stickslip
   template void                  add_surfaces(ContactProblem<dim> &,      \
                                               const ContactStates<dim> &, \
                                               std::vector<CellRecord> &); \
-  template AllSurfaceValues<dim> surface_values(                          \
+  template AllCarriedValues<dim> carried_values(                          \
     ContactProblem<dim> &, const std::vector<CellRecord> &);              \
   template void set_slip(const ContactAssembler<dim> &,                   \
-                         const AllSurfaceValues<dim> &);                  \
+                         const AllCarriedValues<dim> &);                  \
   template void set_multipliers(ContactProblem<dim> &,                    \
-                                const AllSurfaceValues<dim> &,            \
+                                const AllCarriedValues<dim> &,            \
                                 const WhichState,                         \
                                 const double,                             \
                                 LA::BlockVector &);

@@ -96,7 +96,7 @@ namespace stickslip
     if (!is_active() || !is_repeated ||
         repetitions == parameters.most_repetitions)
       return false;
-    levels              = 1;
+    levels               = 1;
     const bool is_wanted = mark(problem, x).refined > 0.;
     repetitions += is_wanted ? 1 : 0;
     return is_wanted;

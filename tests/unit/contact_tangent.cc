@@ -302,7 +302,7 @@ namespace
     LA::BlockVector before = problem.zero_state();
     for (unsigned int b = 0; b < 2; ++b)
       for (const auto i : before.block(b).locally_owned_elements())
-        before.block(b)(i) = std::sin(1.7 * i + b);
+        before.block(b)(i) = 2. + std::sin(1.7 * i + b); // not zero
     before.compress(VectorOperation::insert);
     LA::BlockVector free = before;
     problem.distribute(free);

@@ -26,7 +26,7 @@ namespace stickslip
   /// both states and the accumulated slip, as vectors, whose components no
   /// frame changes.
   template <int dim>
-  struct SurfaceValues
+  struct CarriedValues
   {
     static constexpr unsigned int n_components = n_states * (1 + dim) + dim;
 
@@ -67,26 +67,26 @@ namespace stickslip
   /// What records have on the nodes of all slave faces of this rank:
   /// [pair][face][node].
   template <int dim>
-  using AllSurfaceValues =
-    std::vector<std::vector<std::vector<SurfaceValues<dim>>>>;
+  using AllCarriedValues =
+    std::vector<std::vector<std::vector<CarriedValues<dim>>>>;
 
   template <int dim>
-  AllSurfaceValues<dim>
-  surface_values(ContactProblem<dim>           &problem,
+  AllCarriedValues<dim>
+  carried_values(ContactProblem<dim>           &problem,
                  const std::vector<CellRecord> &records);
 
   /// The accumulated slip of all contact points.
   template <int dim>
   void
   set_slip(const ContactAssembler<dim> &contact,
-           const AllSurfaceValues<dim> &all);
+           const AllCarriedValues<dim> &all);
 
   /// The multipliers of @p state, whose displacements @p x has already;
   /// @p problem is then ready for an iteration at it. Collective.
   template <int dim>
   void
   set_multipliers(ContactProblem<dim>         &problem,
-                  const AllSurfaceValues<dim> &all,
+                  const AllCarriedValues<dim> &all,
                   const WhichState             state,
                   const double                 time,
                   LA::BlockVector             &x);
