@@ -95,6 +95,14 @@ def test_adapted(runs):
         runs.run(name, n_ranks, options=options + half)
         check(runs.run(name, other, "latest", options + SHORT) == printed, f"{name} prints the same")
         compare(runs, name, "adapted")
+    # an estimate that slips of the last step decide about is not made again
+    options = ["Adaptation/Estimator=contact edge", "Adaptation/Most levels=2", "Adaptation/Distance=0.05"]
+    printed = runs.run("edges", 1, options=options + SHORT)
+    for n_ranks, other in [(1, 2), (2, 1)]:
+        name = f"edges-{n_ranks}-{other}"
+        runs.run(name, n_ranks, options=options + half)
+        check(runs.run(name, other, "latest", options + SHORT) == printed, f"{name} prints the same")
+        compare(runs, name, "edges")
     runs.run("not-adapted", 2, "adapted-1-1")
     cells = len(rows_of(runs.directory / "not-adapted/statistics.csv"))
     check(cells > 0, "an adapted state goes on without adaptation")

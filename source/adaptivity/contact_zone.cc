@@ -9,9 +9,12 @@
 
 #include <deal.II/grid/cell_id.h>
 
+#include <deal.II/numerics/rtree.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -139,6 +142,22 @@ namespace stickslip
 
 
 
+    /// All places within @p reach of @p box, in every direction.
+    template <int dim>
+    BoundingBox<dim>
+    extended(const BoundingBox<dim> &box, const double reach)
+    {
+      auto corners = box.get_boundary_points();
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          corners.first[d] -= reach;
+          corners.second[d] += reach;
+        }
+      return BoundingBox<dim>(corners);
+    }
+
+
+
     template <int dim>
     double
     distance_between(const BoundingBox<dim> &box, const Point<dim> &p)
@@ -192,6 +211,7 @@ namespace stickslip
          Utilities::MPI::all_gather(contact.get_communicator(),
                                     own_edges(problem)))
       edges.insert(edges.end(), of_rank.begin(), of_rank.end());
+    const auto tree = pack_rtree(edges);
 
     Vector<double>              ones(triangulation.n_active_cells());
     std::vector<Tensor<1, dim>> positions;
@@ -202,8 +222,11 @@ namespace stickslip
                      positions);
       const BoundingBox<dim> box(
         std::vector<Point<dim>>(positions.begin(), positions.end()));
-      const double reach = std::max(distance, 0.1 * face.diameter);
-      for (const Point<dim> &edge : edges)
+      const double            reach = std::max(distance, 0.1 * face.diameter);
+      std::vector<Point<dim>> near;
+      tree.query(boost::geometry::index::intersects(extended(box, reach)),
+                 std::back_inserter(near));
+      for (const Point<dim> &edge : near)
         if (distance_between(box, edge) <= reach)
           ones[triangulation.create_cell_iterator(CellId(face.id.cell))
                  ->active_cell_index()] = 1.;

@@ -56,6 +56,21 @@ namespace stickslip
 
 
 
+  ErrorEstimate
+  estimate_of(const Vector<double> &indicators,
+              const bool            is_rule,
+              const double          energy_norm,
+              const MPI_Comm       &communicator)
+  {
+    double sum = 0.; // over ghosts, too: they have zeros
+    for (const double square : indicators)
+      sum += square;
+    sum = Utilities::MPI::sum(sum, communicator);
+    return {indicators, is_rule, is_rule ? 0. : std::sqrt(sum), energy_norm};
+  }
+
+
+
   template <int dim>
   ErrorEstimate
   estimate_error(const ErrorEstimator<dim> &estimator,
@@ -64,17 +79,11 @@ namespace stickslip
   {
     const MPI_Comm communicator =
       problem.layout().dof_handler.get_communicator();
-    ErrorEstimate estimate;
-    estimate.indicators = rounded(estimator.indicators(problem, x));
-    estimate.is_rule    = estimator.is_rule();
-    double sum          = 0.; // over ghosts, too: they have zeros
-    for (const double square : estimate.indicators)
-      sum += square;
-    if (!estimate.is_rule)
-      estimate.error = std::sqrt(Utilities::MPI::sum(sum, communicator));
-    estimate.energy_norm =
-      std::sqrt(Utilities::MPI::sum(square_of_stress(problem), communicator));
-    return estimate;
+    return estimate_of(rounded(estimator.indicators(problem, x)),
+                       estimator.is_rule(),
+                       std::sqrt(Utilities::MPI::sum(square_of_stress(problem),
+                                                     communicator)),
+                       communicator);
   }
 
   template ErrorEstimate

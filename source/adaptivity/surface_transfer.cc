@@ -10,16 +10,6 @@ namespace stickslip
 {
   namespace
   {
-    /// The node of the scalar element that the dof @p i of a cell is at.
-    template <int dim>
-    unsigned int
-    node_of(const FiniteElement<dim> &fe, const unsigned int i)
-    {
-      return fe.system_to_component_index(i).second;
-    }
-
-
-
     /// Where the nodes of a slave face are among those of its cell.
     template <int dim>
     std::vector<unsigned int>
@@ -29,7 +19,7 @@ namespace stickslip
     {
       std::map<types::global_dof_index, unsigned int> node_at;
       for (unsigned int i = 0; i < dofs.size(); ++i)
-        node_at[dofs[i]] = node_of(fe, i);
+        node_at[dofs[i]] = fe.system_to_component_index(i).second;
       std::vector<unsigned int> nodes;
       for (unsigned int j = 0; j < face.n_nodes; ++j)
         nodes.push_back(node_at.at(face.dofs[j * dim]));
@@ -53,6 +43,36 @@ namespace stickslip
         for (unsigned int f = 0; f < pairs[p]->slave_faces.size(); ++f)
           faces[pairs[p]->slave_faces[f].face.id.cell].emplace_back(p, f);
       return faces;
+    }
+
+
+
+    /// Calls @p visit(cell, pair, face, nodes) for all slave faces of this rank;
+    /// @p nodes are those of the face among the nodes of the cell.
+    template <int dim, typename Visitor>
+    void
+    for_each_slave_face(ContactProblem<dim> &problem, const Visitor &visit)
+    {
+      const DofLayout<dim> &layout = problem.layout();
+      const auto           &pairs  = problem.contact().contact_pairs();
+      const auto            faces  = faces_of_cells(problem.contact());
+      std::vector<types::global_dof_index> dofs(layout.fe.dofs_per_cell);
+      for (const auto &cell : layout.dof_handler.active_cell_iterators())
+        {
+          if (!cell->is_locally_owned())
+            continue;
+          const auto found = faces.find(cell->id().template to_binary<dim>());
+          if (found == faces.end())
+            continue;
+          cell->get_dof_indices(dofs);
+          for (const auto &[p, f] : found->second)
+            visit(cell,
+                  p,
+                  f,
+                  nodes_in_cell(pairs[p]->slave_faces[f].face,
+                                layout.fe,
+                                dofs));
+        }
     }
 
 
@@ -175,49 +195,36 @@ namespace stickslip
                const ContactStates<dim> &results,
                std::vector<CellRecord>  &records)
   {
-    const DofLayout<dim> &layout = problem.layout();
-    const auto           &pairs  = problem.contact().contact_pairs();
-    const auto            faces  = faces_of_cells(problem.contact());
     // the results are in the order of pairs and faces
     std::vector<std::size_t> first(1, 0);
-    for (const auto &pair : pairs)
+    for (const auto &pair : problem.contact().contact_pairs())
       first.push_back(first.back() + pair->slave_faces.size());
-    const unsigned int n_nodes = layout.fe.dofs_per_cell / dim;
-    std::vector<types::global_dof_index> dofs(layout.fe.dofs_per_cell);
-    for (const auto &cell : layout.dof_handler.active_cell_iterators())
-      {
-        const auto found = cell->is_locally_owned()
-                             ? faces.find(cell->id().template to_binary<dim>())
-                             : faces.end();
-        if (found == faces.end())
-          continue;
-        cell->get_dof_indices(dofs);
-        for (const auto &[p, f] : found->second)
+    const unsigned int n_nodes = problem.layout().fe.dofs_per_cell / dim;
+    for_each_slave_face(
+      problem,
+      [&](const auto                      &cell,
+          const unsigned int               p,
+          const unsigned int               f,
+          const std::vector<unsigned int> &nodes) {
+        const auto &result = results[accepted_state][first[p] + f];
+        const auto &guess  = results[guessed_state][first[p] + f];
+        const auto  slip =
+          nodal_averages(result, &ContactPointResult<dim>::accumulated_slip);
+        auto &values = surface_of(records[cell->active_cell_index()],
+                                  p,
+                                  n_nodes * CarriedValues<dim>::n_components);
+        for (unsigned int j = 0; j < nodes.size(); ++j)
           {
-            const auto &result = results[accepted_state][first[p] + f];
-            const auto &guess  = results[guessed_state][first[p] + f];
-            const auto  nodes =
-              nodes_in_cell(pairs[p]->slave_faces[f].face, layout.fe, dofs);
-            const auto slip =
-              nodal_averages(result,
-                             &ContactPointResult<dim>::accumulated_slip);
-            auto &values =
-              surface_of(records[cell->active_cell_index()],
-                         p,
-                         n_nodes * CarriedValues<dim>::n_components);
-            for (unsigned int j = 0; j < nodes.size(); ++j)
-              {
-                CarriedValues<dim> at_node{
-                  {{result.lambda_n[j], guess.lambda_n[j]}},
-                  {{result.Lambda[j], guess.Lambda[j]}},
-                  slip[j]};
-                at_node.for_each_component(
-                  [&](const unsigned int c, const double value) {
-                    values[c * n_nodes + nodes[j]] = value;
-                  });
-              }
+            CarriedValues<dim> at_node{{{result.lambda_n[j],
+                                         guess.lambda_n[j]}},
+                                       {{result.Lambda[j], guess.Lambda[j]}},
+                                       slip[j]};
+            at_node.for_each_component(
+              [&](const unsigned int c, const double value) {
+                values[c * n_nodes + nodes[j]] = value;
+              });
           }
-      }
+      });
   }
 
 
@@ -227,39 +234,28 @@ namespace stickslip
   carried_values(ContactProblem<dim>           &problem,
                  const std::vector<CellRecord> &records)
   {
-    const DofLayout<dim> &layout  = problem.layout();
     const auto           &pairs   = problem.contact().contact_pairs();
-    const auto            faces   = faces_of_cells(problem.contact());
-    const unsigned int    n_nodes = layout.fe.dofs_per_cell / dim;
+    const unsigned int    n_nodes = problem.layout().fe.dofs_per_cell / dim;
     AllCarriedValues<dim> all(pairs.size());
     for (unsigned int p = 0; p < pairs.size(); ++p)
       all[p].resize(pairs[p]->slave_faces.size());
-    std::vector<types::global_dof_index> dofs(layout.fe.dofs_per_cell);
-    for (const auto &cell : layout.dof_handler.active_cell_iterators())
-      {
-        const auto found = cell->is_locally_owned()
-                             ? faces.find(cell->id().template to_binary<dim>())
-                             : faces.end();
-        if (found == faces.end())
-          continue;
-        cell->get_dof_indices(dofs);
-        CellRecord record = records[cell->active_cell_index()];
-        for (const auto &[p, f] : found->second)
-          {
-            const auto &values =
-              surface_of(record, p, n_nodes * CarriedValues<dim>::n_components);
-            for (const unsigned int node :
-                 nodes_in_cell(pairs[p]->slave_faces[f].face, layout.fe, dofs))
-              {
-                CarriedValues<dim> at_node;
-                at_node.for_each_component(
-                  [&](const unsigned int c, double &value) {
-                    value = values[c * n_nodes + node];
-                  });
-                all[p][f].push_back(at_node);
-              }
-          }
-      }
+    for_each_slave_face(problem,
+                        [&](const auto                      &cell,
+                            const unsigned int               p,
+                            const unsigned int               f,
+                            const std::vector<unsigned int> &nodes) {
+                          all[p][f].resize(nodes.size());
+                          // a surface that no cell had there before has nothing
+                          for (const auto &surface :
+                               records[cell->active_cell_index()].on_surfaces)
+                            if (surface.pair == p)
+                              for (unsigned int j = 0; j < nodes.size(); ++j)
+                                all[p][f][j].for_each_component(
+                                  [&](const unsigned int c, double &value) {
+                                    value =
+                                      surface.values[c * n_nodes + nodes[j]];
+                                  });
+                        });
     return all;
   }
 

@@ -158,7 +158,13 @@ namespace stickslip
     load_stepping.request(ends_of_intervals(boundary_conditions));
     mesh.refinements = refinement_requests();
     if (adaptation.is_active())
-      mesh.later_refinement = "Adaptation/Estimator = " + adaptation.estimator;
+      {
+        mesh.later_refinement =
+          "Adaptation/Estimator = " + adaptation.estimator;
+        physics.emplace_back("Adaptation/Estimator", adaptation.estimator);
+        physics.emplace_back("Adaptation/Distance",
+                             std::to_string(adaptation.distance));
+      }
     const DeclaredSection all = declared_parameters(prm);
     if (axisymmetric)
       physics.emplace_back("Axisymmetric", "true");

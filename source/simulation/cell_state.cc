@@ -199,6 +199,7 @@ namespace stickslip
       }
     cursor.cell_history(problem.solid().point_history(),
                         cell->active_cell_index());
+    cursor(fields.indicators[cell->active_cell_index()]);
 
     const auto key = cell->id().template to_binary<dim>();
     for (unsigned int p = 0; p < slave_faces.size(); ++p)

@@ -36,7 +36,9 @@ namespace stickslip
     /// The fields with the ghost entries that the own cells need.
     template <int dim>
     StateVectors
-    with_ghosts(ContactProblem<dim> &problem, const AcceptedState &state)
+    with_ghosts(ContactProblem<dim> &problem,
+                const AcceptedState &state,
+                const ErrorEstimate *estimate)
     {
       const DofLayout<dim> &layout       = problem.layout();
       const auto           &multipliers  = problem.contact().multipliers();
@@ -55,6 +57,10 @@ namespace stickslip
       fields.contact_forces = state.contact_forces;
       fields.rate           = state.rate;
       fields.multipliers    = state.x.block(1);
+      fields.indicators.reinit(
+        layout.dof_handler.get_triangulation().n_active_cells());
+      if (estimate != nullptr)
+        fields.indicators = estimate->indicators;
       return fields;
     }
 
@@ -174,6 +180,7 @@ namespace stickslip
   save_checkpoint(const std::string       &directory,
                   ContactProblem<dim>     &problem,
                   const AcceptedState     &accepted,
+                  const ErrorEstimate     *estimate,
                   const CheckpointScalars &scalars,
                   const ParameterValues   &physics)
   {
@@ -183,6 +190,8 @@ namespace stickslip
     description.problem = fingerprint(problem);
     description.n_files = Utilities::MPI::n_mpi_processes(communicator);
     description.scalars = scalars;
+    description.scalars.energy_norm =
+      estimate != nullptr ? estimate->energy_norm : -1.;
     description.physics = physics;
     std::string checkpoint, error;
     if (rank == 0)
@@ -197,7 +206,7 @@ namespace stickslip
 
     const PartitionFreeNames<dim> names(
       problem.layout().dof_handler.get_triangulation());
-    const StateVectors  fields = with_ghosts(problem, accepted);
+    const StateVectors  fields = with_ghosts(problem, accepted, estimate);
     CellState<dim>      state(problem);
     CellRecordWriter    writer(path_of_cells(checkpoint, rank),
                             description.identity);
@@ -225,6 +234,7 @@ namespace stickslip
   load_checkpoint(const std::string   &directory,
                   ContactProblem<dim> &problem,
                   AcceptedState       &accepted,
+                  Vector<double>      &indicators,
                   ParameterValues     &physics)
   {
     const MPI_Comm communicator = problem.contact().get_communicator();
@@ -239,8 +249,15 @@ namespace stickslip
 
     accepted.x             = problem.zero_state();
     const LA::Vector &zero = accepted.x.block(0);
-    StateVectors      fields{zero, zero, zero, zero, accepted.x.block(1)};
-    std::string       damage =
+    const auto       &triangulation =
+      problem.layout().dof_handler.get_triangulation();
+    StateVectors fields{zero,
+                        zero,
+                        zero,
+                        zero,
+                        accepted.x.block(1),
+                        Vector<double>(triangulation.n_active_cells())};
+    std::string  damage =
       first_error(read_own_cells(checkpoint, description, problem, fields),
                   communicator);
     if (!damage.empty() && Utilities::MPI::this_mpi_process(communicator) == 0)
@@ -257,6 +274,7 @@ namespace stickslip
     accepted.nodal_forces   = fields.nodal_forces;
     accepted.contact_forces = fields.contact_forces;
     accepted.rate           = fields.rate;
+    indicators              = fields.indicators;
     problem.restore(); // the state goes on from the accepted histories
     physics = description.physics;
     return description.scalars;
@@ -268,11 +286,13 @@ namespace stickslip
   template void              save_checkpoint(const std::string &,       \
                                              ContactProblem<dim> &,     \
                                              const AcceptedState &,     \
+                                             const ErrorEstimate *,     \
                                              const CheckpointScalars &, \
                                              const ParameterValues &);  \
   template CheckpointScalars load_checkpoint(const std::string &,       \
                                              ContactProblem<dim> &,     \
                                              AcceptedState &,           \
+                                             Vector<double> &,          \
                                              ParameterValues &);
   INSTANTIATE(2)
   INSTANTIATE(3)

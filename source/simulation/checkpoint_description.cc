@@ -119,6 +119,23 @@ namespace stickslip
 
 
 
+  bool
+  have_same(const ParameterValues &a,
+            const ParameterValues &b,
+            const std::string     &section)
+  {
+    const auto in_section = [&section](const ParameterValues &all) {
+      ParameterValues values;
+      for (const auto &value : all)
+        if (value.first.find(section) == 0)
+          values.push_back(value);
+      return values;
+    };
+    return in_section(a) == in_section(b);
+  }
+
+
+
   std::string
   ProblemFingerprint::difference_from(const ProblemFingerprint &other) const
   {
@@ -211,7 +228,8 @@ namespace stickslip
         << "\nfriction work = " << scalars.work.friction
         << "\ncontact work = " << scalars.work.contact
         << "\nstabilization work = " << scalars.work.stabilization
-        << "\nadaptations = " << scalars.adaptations << "\ngeometry =";
+        << "\nadaptations = " << scalars.adaptations
+        << "\nenergy norm = " << scalars.energy_norm << "\ngeometry =";
     for (const double value : problem.geometry)
       out << ' ' << value;
     out << '\n';
@@ -277,6 +295,7 @@ namespace stickslip
     read("contact work", scalars.work.contact);
     read("stabilization work", scalars.work.stabilization);
     read("adaptations", scalars.adaptations);
+    read("energy norm", scalars.energy_norm);
     read_list("geometry", problem.geometry);
     problem.properties.clear();
     physics.clear();

@@ -106,7 +106,7 @@ namespace stickslip
 
 
   template <int dim>
-  unsigned int
+  bool
   adopt_mesh(const std::string                           &directory,
              parallel::DistributedTriangulationBase<dim> &triangulation)
   {
@@ -115,7 +115,7 @@ namespace stickslip
     const CheckpointDescription description =
       read_description(directory, communicator, checkpoint);
     if (description.scalars.adaptations == 0)
-      return 0;
+      return false;
     auto *p4est =
       dynamic_cast<parallel::distributed::Triangulation<dim> *>(&triangulation);
     if (p4est == nullptr)
@@ -135,11 +135,11 @@ namespace stickslip
           break;
         execute_agreed_flags(*p4est);
       }
-    return description.scalars.adaptations;
+    return true;
   }
 
-  template unsigned int
+  template bool
   adopt_mesh(const std::string &, parallel::DistributedTriangulationBase<2> &);
-  template unsigned int
+  template bool
   adopt_mesh(const std::string &, parallel::DistributedTriangulationBase<3> &);
 } // namespace stickslip

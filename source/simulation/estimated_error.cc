@@ -27,6 +27,18 @@ namespace stickslip
 
   template <int dim>
   void
+  EstimatedError<dim>::resume(const Vector<double> &indicators,
+                              const double          energy_norm,
+                              const MPI_Comm       &communicator)
+  {
+    estimate = std::make_unique<const ErrorEstimate>(
+      estimate_of(indicators, is_of_rule(), energy_norm, communicator));
+  }
+
+
+
+  template <int dim>
+  void
   EstimatedError<dim>::add_to(StatisticsTable &table) const
   {
     if (!estimate || estimate->is_rule)

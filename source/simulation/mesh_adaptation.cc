@@ -63,12 +63,20 @@ namespace stickslip
 
 
   template <int dim>
-  typename MeshAdaptation<dim>::Flagged
-  MeshAdaptation<dim>::mark(ContactProblem<dim>   &problem,
-                            const LA::BlockVector &x)
+  void
+  MeshAdaptation<dim>::make_estimate(ContactProblem<dim>   &problem,
+                                     const LA::BlockVector &x)
   {
     problem.residual(x); // what estimators look at
     error.update(problem, x);
+  }
+
+
+
+  template <int dim>
+  typename MeshAdaptation<dim>::Flagged
+  MeshAdaptation<dim>::mark()
+  {
     mark_cells(*error.get(), parameters, mesh.bodies, *p4est);
     Flagged flagged;
     for (const auto &cell : p4est->active_cell_iterators())
@@ -96,8 +104,9 @@ namespace stickslip
     if (!is_active() || !is_repeated ||
         repetitions == parameters.most_repetitions)
       return false;
-    levels               = 1;
-    const bool is_wanted = mark(problem, x).refined > 0.;
+    levels = 1;
+    make_estimate(problem, x);
+    const bool is_wanted = mark().refined > 0.;
     repetitions += is_wanted ? 1 : 0;
     return is_wanted;
   }
@@ -106,15 +115,13 @@ namespace stickslip
 
   template <int dim>
   bool
-  MeshAdaptation<dim>::wants_other_mesh(const unsigned int     step,
-                                        ContactProblem<dim>   &problem,
-                                        const LA::BlockVector &x)
+  MeshAdaptation<dim>::wants_other_mesh(const unsigned int step)
   {
-    if (!is_active() || parameters.every == 0 || step == 0 ||
+    if (error.get() == nullptr || parameters.every == 0 || step == 0 ||
         step % parameters.every > 0)
       return false;
     levels               = 1;
-    const Flagged wanted = mark(problem, x);
+    const Flagged wanted = mark();
     return wanted.refined > 0. ||
            wanted.coarsened >
              worthwhile_share_of_coarse_cells * p4est->n_global_active_cells();
@@ -127,13 +134,33 @@ namespace stickslip
   MeshAdaptation<dim>::wants_another_level(ContactProblem<dim>   &problem,
                                            const LA::BlockVector &x)
   {
-    if (!error.get()->is_rule || levels == parameters.most_levels)
+    error.forget(); // it was of the old mesh
+    if (!error.is_of_rule() || levels == parameters.most_levels)
       return false;
     ++levels;
-    const bool is_wanted = mark(problem, x).refined > 0.;
+    make_estimate(problem, x);
+    const bool is_wanted = mark().refined > 0.;
+    error.forget(); // the mesh has been adapted to the state
     for (const auto &cell : p4est->active_cell_iterators())
       cell->clear_coarsen_flag(); // they will be, after the next step
     return is_wanted;
+  }
+
+
+
+  template <int dim>
+  void
+  MeshAdaptation<dim>::resume(const CheckpointScalars &scalars,
+                              const Vector<double>    &indicators,
+                              const bool               is_same,
+                              ContactProblem<dim>     &problem,
+                              const LA::BlockVector   &x)
+  {
+    adaptations = scalars.adaptations;
+    if (is_active() && !is_same)
+      make_estimate(problem, x);
+    else if (is_active() && scalars.energy_norm >= 0.)
+      error.resume(indicators, scalars.energy_norm, p4est->get_communicator());
   }
 
 

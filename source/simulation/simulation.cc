@@ -4,8 +4,6 @@
 #include <stickslip/base/no_convergence.h>
 #include <stickslip/base/user_error.h>
 
-#include <stickslip/adaptivity/state_transfer.h>
-
 #include <stickslip/contact/results/contact_results.h>
 #include <stickslip/simulation/checkpoint.h>
 #include <stickslip/simulation/checkpoint_mesh.h>
@@ -148,9 +146,7 @@ namespace stickslip
   void
   Simulation<dim>::adapt_after_step()
   {
-    if (adaptation.wants_other_mesh(steps().step_number(),
-                                    problem(),
-                                    state.accepted.x))
+    if (adaptation.wants_other_mesh(steps().step_number()))
       adapt_mesh();
   }
 
@@ -280,16 +276,16 @@ namespace stickslip
     const std::string last =
       steps().describe_last_step() + ": " + failure.what();
     step_control.cut_step(); // a run that goes on begins with a smaller step
-    std::string state = "Continue it with --restart latest.";
+    std::string advice = "Continue it with --restart latest.";
     try
       {
         write_checkpoint(step_control.state());
       }
     catch (const UserError &error)
       {
-        state = error.what();
+        advice = error.what();
       }
-    const auto text = report.final_text(last, steps().time(), state);
+    const auto text = report.final_text(last, steps().time(), advice);
     log.note("stopped: " + text);
     throw NoConvergence(text, failure);
   }
@@ -320,6 +316,7 @@ namespace stickslip
     save_checkpoint(parameters.output.directory,
                     problem(),
                     state.accepted,
+                    adaptation.estimate(),
                     {control, state.work, adaptation.n_adaptations()},
                     parameters.physics);
   }
@@ -330,22 +327,25 @@ namespace stickslip
   ParameterValues
   Simulation<dim>::load_state(const std::string &checkpoint)
   {
-    const unsigned int n_adaptations =
-      adopt_mesh(checkpoint, *mesh.triangulation);
-    if (n_adaptations > 0)
+    if (adopt_mesh(checkpoint, *mesh.triangulation))
       {
-        adaptation.resume(n_adaptations);
         state.discretize();
         output.locate(problem());
       }
     ParameterValues physics;
-    const auto      scalars =
-      load_checkpoint(checkpoint, problem(), state.accepted, physics);
+    Vector<double>  indicators;
+    const auto      scalars = load_checkpoint(
+      checkpoint, problem(), state.accepted, indicators, physics);
     state.work = scalars.work;
     step_control.resume(scalars.control);
     // pairs the points and sets the scales that the first thresholds need
     problem().begin_step(steps().time(), state.accepted.x);
     problem().begin_iteration(state.accepted.x);
+    adaptation.resume(scalars,
+                      indicators,
+                      have_same(physics, parameters.physics, "Adaptation/"),
+                      problem(),
+                      state.accepted.x);
     progress.resume(steps().time());
     return physics;
   }

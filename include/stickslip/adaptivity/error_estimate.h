@@ -22,6 +22,14 @@ namespace stickslip
     relative() const;
   };
 
+  /// The estimate with these @p indicators of the cells of this rank.
+  /// Collective.
+  ErrorEstimate
+  estimate_of(const Vector<double> &indicators,
+              const bool            is_rule,
+              const double          energy_norm,
+              const MPI_Comm       &communicator);
+
   /// See ErrorEstimator::indicators(). Collective.
   template <int dim>
   ErrorEstimate

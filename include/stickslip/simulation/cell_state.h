@@ -20,6 +20,8 @@ namespace stickslip
     LA::Vector contact_forces;
     LA::Vector rate;
     LA::Vector multipliers;
+    /// ErrorEstimate::indicators; zero without an estimate.
+    Vector<double> indicators;
   };
 
 

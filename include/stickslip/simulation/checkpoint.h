@@ -1,6 +1,8 @@
 #ifndef stickslip_simulation_checkpoint_h
 #define stickslip_simulation_checkpoint_h
 
+#include <stickslip/adaptivity/error_estimate.h>
+
 #include <stickslip/problem/contact_problem.h>
 
 #include <stickslip/simulation/accepted_state.h>
@@ -13,7 +15,8 @@ namespace stickslip
   /**
    * Writes an accepted @p state below @p directory (the output directory), the
    * histories of @p problem, the faces that the contact points are paired
-   * with, and the parameters @p physics that the state was computed with.
+   * with, the @p estimate of the error if there is one, and the parameters
+   * @p physics that the state was computed with.
    *
    * The state is cut into records of cells: nodal values, point history,
    * multipliers and contact points of the cell's slave faces. Each rank writes
@@ -34,6 +37,7 @@ namespace stickslip
   save_checkpoint(const std::string       &directory,
                   ContactProblem<dim>     &problem,
                   const AcceptedState     &state,
+                  const ErrorEstimate     *estimate,
                   const CheckpointScalars &scalars,
                   const ParameterValues   &physics);
 
@@ -50,7 +54,8 @@ namespace stickslip
    * @p directory itself is, into @p state and the histories of @p problem. It must be the same mesh with the same contact
    * pairs, and no step may have been made yet: the pairings become valid when
    * the problem is configured for the first time. @p physics are the parameters
-   * that the state was computed with (none in checkpoints of older versions).
+   * that the state was computed with, @p indicators those of the error, to which
+   * the returned energy norm belongs.
    *
    * A rank looks into the files beginning with those where its own number
    * stands and stops when it has all its cells: one file if nothing has
@@ -69,6 +74,7 @@ namespace stickslip
   load_checkpoint(const std::string   &directory,
                   ContactProblem<dim> &problem,
                   AcceptedState       &state,
+                  Vector<double>      &indicators,
                   ParameterValues     &physics);
 } // namespace stickslip
 

@@ -20,6 +20,8 @@ namespace stickslip
     StepControlState control;
     WorkBalance      work;
     unsigned int     adaptations = 0; ///< of the mesh, since the start
+    /// Of the estimate of the error; negative: there is none.
+    double energy_norm = -1.;
   };
 
 
@@ -31,6 +33,14 @@ namespace stickslip
   /// and is Coulomb". Numbers are compared as such; what is new or gone counts.
   std::vector<std::string>
   changed_values(const ParameterValues &before, const ParameterValues &now);
+
+
+
+  /// Whether both have the same parameters in @p section, with the same values.
+  bool
+  have_same(const ParameterValues &a,
+            const ParameterValues &b,
+            const std::string     &section);
 
 
 

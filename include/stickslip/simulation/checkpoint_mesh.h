@@ -12,8 +12,8 @@ namespace stickslip
   /**
    * If the checkpoint that --restart @p directory means is one of an adapted
    * mesh: refines and coarsens the cells of @p triangulation until they are
-   * those of the checkpoint, whose records have their names. Returns the number
-   * of adaptations that had led to it; zero: nothing has been done.
+   * those of the checkpoint, whose records have their names. Returns whether it
+   * is one; if not, nothing has been done.
    *
    * Each pass brings cells one level nearer. In each of them every rank reads
    * the indices of all files (32 bytes per cell), one after the other, and
@@ -23,7 +23,7 @@ namespace stickslip
    * if the cells of this mesh cannot be refined.
    */
   template <int dim>
-  unsigned int
+  bool
   adopt_mesh(const std::string                           &directory,
              parallel::DistributedTriangulationBase<dim> &triangulation);
 } // namespace stickslip

@@ -22,6 +22,26 @@ namespace stickslip
     void
     update(ContactProblem<dim> &problem, const LA::BlockVector &x);
 
+    /// Continues with an estimate of an earlier run, over all cells.
+    void
+    resume(const Vector<double> &indicators,
+           const double          energy_norm,
+           const MPI_Comm       &communicator);
+
+    /// The state is another one now.
+    void
+    forget()
+    {
+      estimate.reset();
+    }
+
+    /// ErrorEstimator::is_rule()
+    bool
+    is_of_rule() const
+    {
+      return estimator != nullptr && estimator->is_rule();
+    }
+
     /// Null without an estimator or a state.
     const ErrorEstimate *
     get() const

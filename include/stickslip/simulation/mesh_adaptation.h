@@ -8,6 +8,7 @@
 
 #include <stickslip/problem/contact_problem.h>
 
+#include <stickslip/simulation/checkpoint_description.h>
 #include <stickslip/simulation/estimated_error.h>
 
 #include <deal.II/distributed/tria.h>
@@ -50,13 +51,11 @@ namespace stickslip
                      ContactProblem<dim>   &problem,
                      const LA::BlockVector &x);
 
-    /// Step number @p step has been accepted, with the state @p x. Flags cells
-    /// and returns true if the mesh is to be another one before the next step.
-    /// Collective.
+    /// Step number @p step has been accepted. Flags cells and returns true if
+    /// the mesh is to be another one before the next step. Once that has been
+    /// made there is no estimate, and the answer is no. Collective.
     bool
-    wants_other_mesh(const unsigned int     step,
-                     ContactProblem<dim>   &problem,
-                     const LA::BlockVector &x);
+    wants_other_mesh(const unsigned int step);
 
     /// A step has been accepted with the state @p x, whose error the statistics and
     /// fields() show. Collective.
@@ -106,12 +105,26 @@ namespace stickslip
       return adaptations;
     }
 
-    /// The run goes on from a checkpoint after @p n adaptations.
-    void
-    resume(const unsigned int n)
+    /// What a checkpoint has beside n_adaptations(); null if the mesh has been
+    /// adapted to the state already.
+    const ErrorEstimate *
+    estimate() const
     {
-      adaptations = n;
+      return error.get();
     }
+
+    /**
+     * The run goes on with the state @p x of a checkpoint, whose @p scalars and
+     * @p indicators these are. @p is_same: its estimator was this one. The estimate
+     * cannot be made again then: slips of the step that has led to the state
+     * are over. Collective.
+     */
+    void
+    resume(const CheckpointScalars &scalars,
+           const Vector<double>    &indicators,
+           const bool               is_same,
+           ContactProblem<dim>     &problem,
+           const LA::BlockVector   &x);
 
     /// Columns about meshes and what they have done since the last row.
     void
@@ -138,8 +151,13 @@ namespace stickslip
       double coarsened = 0.;
     };
 
+    /// By the estimate.
     Flagged
-    mark(ContactProblem<dim> &problem, const LA::BlockVector &x);
+    mark();
+
+    /// Of the error at @p x.
+    void
+    make_estimate(ContactProblem<dim> &problem, const LA::BlockVector &x);
   };
 } // namespace stickslip
 
