@@ -27,7 +27,7 @@ table { border-collapse: collapse; font-size: 13px; margin: 8px 0; }
 th, td { text-align: left; padding: 4px 12px 4px 0; border-bottom: 1px solid var(--line); vertical-align: top; }
 th { color: var(--soft); font-weight: 600; } td.number { text-align: right; font-variant-numeric: tabular-nums; }
 th.number { text-align: right; } td { overflow-wrap: anywhere; }
-td:first-child { white-space: nowrap; overflow-wrap: normal; }
+td:first-child, td.number { white-space: nowrap; overflow-wrap: normal; }
 .failure { border-left: 5px solid var(--red); background: #fdf3f2; padding: 8px 16px; margin: 12px 0; }
 .failure dt, .try dt { float: left; clear: left; width: 62px; color: var(--soft); } .failure dd { margin: 0 0 2px 62px; }
 .warning { border-left: 5px solid #d69e2e; background: #fffaf0; padding: 6px 16px; margin: 8px 0; }
@@ -139,7 +139,10 @@ class Page:
         if not rows:
             return
         def cell(tag, value, is_number):
-            return f'<{tag}{" class=number" if is_number else ""}>{escaped(shown(value))}</{tag}>'
+            text = escaped(shown(value))
+            if tag == "th":
+                text = text.replace("_", "_<wbr>")  # long names of columns may be broken there
+            return f'<{tag}{" class=number" if is_number else ""}>{text}</{tag}>'
 
         is_number = [not isinstance(value, str) for value in rows[0]]
         head = "".join(cell("th", name, right) for name, right in zip(header, is_number))

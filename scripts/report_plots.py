@@ -300,7 +300,7 @@ def phases(runs):
         axes.barh(rows, values, left=left, height=0.6, color=colour(k), label=name)
         left = [a + b for a, b in zip(left, values)]
     axes.set_yticks(rows, [run.label for run in runs])
-    axes.set(title="Wall time of rank 0 in accepted steps", xlabel="s")
+    axes.set(title="Wall time of rank 0 in accepted steps [s]")
     axes.grid(False, axis="y")
     axes.legend(fontsize=8, frameon=False, ncol=4, loc="upper center", bbox_to_anchor=(0.5, -0.35 if len(runs) < 3 else -0.15))
     return svg(figure)

@@ -47,7 +47,9 @@ def draw_map(plot, rows):
     """A panel per value of `panels`; a cross where a run has not succeeded."""
     panels = split(rows, plot.get("panels"))
     xs, ys = distinct(rows, plot["x"]), distinct(rows, plot["y"])
-    figure, all_axes = axes_of(len(panels), width=max(3.0, 0.62 * len(xs) + 1.0), height=max(2.6, 0.44 * len(ys) + 1.3))
+    title = title_of(plot) + "; × did not succeed"
+    width = max(3.0, 0.62 * len(xs) + 1.0, 0.075 * len(title) / len(panels))
+    figure, all_axes = axes_of(len(panels), width=width, height=max(2.6, 0.44 * len(ys) + 1.3))
     values = [v for row in rows if row["state"] in SUCCESS and (v := number(row[plot["value"]])) is not None]
     low, high = (min(values), max(values)) if values else (0.0, 1.0)
     norm = LogNorm(low, max(high, 1.01 * low)) if low > 0 and high > 10 * low else Normalize(low, max(high, low + 1e-12))
@@ -68,7 +70,7 @@ def draw_map(plot, rows):
         axes.set_xticks(range(len(xs)), xs, rotation=45 if max(map(len, xs)) > 5 else 0)
         axes.set_yticks(range(len(ys)), ys)
     all_axes[0].set_ylabel(plot["y"])
-    figure.suptitle(title_of(plot) + "; × did not succeed", fontsize=10, x=0.01, ha="left")
+    figure.suptitle(title, fontsize=10, x=0.01, ha="left")
     return figure
 
 
@@ -81,7 +83,8 @@ def draw_curves(plot, rows):
     figure, all_axes = axes_of(len(panels), width=5.6, height=3.9)
     reference = number(plot.get("reference"))
     for axes, (name, of_panel) in zip(all_axes, panels):
-        for k, (curve, of_curve) in enumerate(split(of_panel, plot.get("curves"))):
+        curves = split(of_panel, plot.get("curves"))
+        for k, (curve, of_curve) in enumerate(curves):
             points = [(number(row[plot["x"]]), number(row[plot["y"]])) for row in of_curve if row["state"] in SUCCESS]
             points = sorted(point for point in points if None not in point)
             if reference is not None:
@@ -89,8 +92,10 @@ def draw_curves(plot, rows):
             label = curve
             if reference is not None and len(points) > 1:
                 label = f"{curve}  (order {observed_order(points):.2f})"
+            above = min(len(curves) - 1 - k, 4)  # wider than those drawn over it: equal curves are all seen
             if points:
-                axes.plot(*zip(*points), "o", linestyle=STYLES[(k // 8) % 4], color=colour(k), markersize=4, label=label)
+                axes.plot(*zip(*points), "o", linestyle=STYLES[(k // 8) % 4], color=colour(k), linewidth=1.5 + 1.5 * above,
+                          markersize=4 + 2 * above, label=label)
         log = plot.get("log", "xy" if reference is not None else "")
         axes.set(xscale="log" if "x" in log else "linear", yscale="log" if "y" in log else "linear", xlabel=plot["x"], title=name)
         places = [x for x in map(number, distinct(of_panel, plot["x"])) if x is not None]

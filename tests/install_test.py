@@ -62,8 +62,8 @@ def check_library(prefix):
 
 
 def check_debian_package():
-    if not shutil.which("dpkg-shlibdeps"):
-        print("skipped the Debian package: no dpkg-shlibdeps (apt-get install dpkg-dev)")
+    if not (shutil.which("dpkg-shlibdeps") and shutil.which("file")):
+        print("skipped the Debian package: no dpkg-shlibdeps or no file (apt-get install dpkg-dev file)")
         return
     packages = working / "packages"
     if not check_run(run("cpack", "-G", "DEB", "-B", packages, cwd=build), "cpack -G DEB"):
