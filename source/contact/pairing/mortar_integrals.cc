@@ -3,6 +3,7 @@
 #include <stickslip/contact/pairing/corner_normals.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace stickslip
@@ -11,6 +12,13 @@ namespace stickslip
   {
     /// A node with less of its area opposite a master has no partner.
     constexpr double least_share = 0.01;
+
+    /// Nor has one whose average may exceed the values that it is an average of
+    /// by more than this factor. Where little of a face has a master opposite,
+    /// dual functions (and standard ones of degree 2) extrapolate to nodes far
+    /// from it. Whole faces: 1.7 per direction with degree 1, 2.2 with
+    /// degree 2.
+    constexpr double largest_amplification = 20.;
 
 
     /// The weighting functions on the part of a face that has a master.
@@ -115,6 +123,7 @@ namespace stickslip
     const unsigned int n_nodes       = displacement_shape.n_nodes();
     FaceIntegrals<dim> integrals;
     integrals.area.assign(n_multipliers, 0.);
+    integrals.variation.assign(n_multipliers, 0.);
     integrals.D.reinit(n_multipliers, n_nodes);
     integrals.M.assign(segments.masters.size(),
                        FullMatrix<double>(n_multipliers, n_nodes));
@@ -135,6 +144,7 @@ namespace stickslip
             if (psi == 0.)
               continue;
             integrals.area[l] += psi;
+            integrals.variation[l] += std::abs(psi);
             for (unsigned int k = 0; k < n_nodes; ++k)
               {
                 integrals.D(l, k) += psi * N[k];
@@ -158,9 +168,14 @@ namespace stickslip
   {
     MortarAverage<dim> average;
     average.D.assign(node.n_stencil_nodes(), 0.);
+    double variation = 0.;
     for (const auto &around : node.faces)
-      average.area += integrals[around.face].area[around.multiplier];
-    average.paired = average.area > least_share * node.area;
+      {
+        average.area += integrals[around.face].area[around.multiplier];
+        variation += integrals[around.face].variation[around.multiplier];
+      }
+    average.paired = average.area > least_share * node.area &&
+                     variation < largest_amplification * average.area;
     if (!average.paired)
       return average;
 

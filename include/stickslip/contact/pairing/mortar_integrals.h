@@ -16,6 +16,7 @@ namespace stickslip
   {
     FullMatrix<double>              weighting; ///< psi_l = sum_m W[l][m] L_m
     std::vector<double>             area;      ///< of psi_l
+    std::vector<double>             variation; ///< of |psi_l|
     FullMatrix<double>              D;         ///< psi_l N_k: [l][slave node]
     std::vector<FullMatrix<double>> M;         ///< [master][l][master node]
   };
