@@ -109,6 +109,10 @@ end
 """
 
 
+# of the rollers over the time
+FEED = "{feed}*min(t/{fed}, 1)*min(1, ({end} - t)/{end - held})"
+
+
 def section(name, **settings):
     """A subsection of a subsection; '_' of a name stands for ' '."""
     width = max(map(len, settings))
@@ -145,14 +149,13 @@ def bodies(size):
 
 
 def conditions():
-    # The feed, and its integral over time: a roller rolls on the tube if it turns by -orbit/roller of its way
+    # The integral of the feed over time: a roller rolls on the tube if it turns by -orbit/roller of its way
     # round the axis, with the orbit that it has by then.
-    feed = "{feed}*min(t/{fed}, 1)*min(1, ({end} - t)/{end - held})"
     passed = "{feed}*(min(t, {fed})^2/{2*fed} + max(t - {fed}, 0) - max(t - {held}, 0)^2/{2*(end - held)})"
     rollers = []
     for i in range(3):
         angle = f"({120 * i} + {{speed}}*t)*{{pi/180}}"
-        way = [f"({{orbit}} + {feed})*{f}({angle}) - {{orbit*{f}({120 * i}*pi/180)}}" for f in ("cos", "sin")]
+        way = [f"({{orbit}} + {FEED})*{f}({angle}) - {{orbit*{f}({120 * i}*pi/180)}}" for f in ("cos", "sin")]
         rollers.append(section(f"roller {i + 1}", Body=f"roller {i + 1}", Type="rigid motion",
                                Translation="; \\\n                          ".join(way) + "; 0",
                                Rotation_centre=start(i), Rotation_angle=f"-{{speed/roller}}*({{orbit}}*t + {passed})"))
