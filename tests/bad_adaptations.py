@@ -20,6 +20,10 @@ CASES = {
     "contact zone without contact": (
         "block.prm", material("linear elastic") + adaptation("Estimator = contact zone"),
         WRONG_INPUT, ["Adaptation/Estimator", "contact zone", "no contact", "'residual'"]),
+    "a surface that meets itself on a mesh that is adapted": (
+        "plate.prm", "subsection Contact\n subsection base\n set Slave boundary = 1, 2\n set Master body = plate\n set Master boundary = 2\n"
+        " set Quadrature = segments\n end\nend\n" + adaptation("Estimator = Kelly"),
+        WRONG_INPUT, ["Adaptation/Estimator", "Contact/base", "share a boundary", "'Refinement'"]),
     "METIS for meshes that are adapted": (
         "plate.prm", "subsection Mesh\n set Partitioner = METIS\nend\n" + adaptation("Estimator = Kelly"),
         WRONG_INPUT, ["Adaptation/Estimator = Kelly", "METIS", "p4est"]),

@@ -32,7 +32,15 @@ CASES = {
     "slave and master overlap": (
         "plate.prm",
         "subsection Contact\n subsection base\n set Slave boundary = 1, 2\n set Master body = plate\n set Master boundary = 2\n end\nend",
-        WRONG_INPUT, ["Contact/base", "slave", "master", "'plate'"]),
+        WRONG_INPUT, ["Contact/base/Quadrature = nodal", "slave and the master set share", "'plate'", "'Quadrature = segments'"]),
+    "a surface that is tied to itself": (
+        "plate.prm", pair("Slave boundary = 1, 2", "Master body = plate", "Master boundary = 2", "Quadrature = segments", "Law = tied",
+                          "Friction = none", "Friction coefficient = 0"),
+        WRONG_INPUT, ["Contact/base/Law = tied", "share a boundary of body 'plate'", "'Law = contact'"]),
+    "closed gaps of a surface that meets itself": (
+        "plate.prm", pair("Slave boundary = 1, 2", "Master body = plate", "Master boundary = 2", "Quadrature = segments",
+                          "Initial gaps = closed", "Initial gap tolerance = 0.1"),
+        WRONG_INPUT, ["Contact/base/Initial gaps = closed", "share a boundary of body 'plate'", "'as meshed'"]),
     "negative Poisson's ratio": (
         "plate.prm", "subsection Materials\n subsection steel\n set Poisson's ratio = -1.2\n end\nend",
         WRONG_INPUT, ["Poisson's ratio", "-1.2", "greater than -1 and less than 0.5"]),

@@ -69,7 +69,8 @@ namespace stickslip
       {
         bool may_be_held_by_contact = false;
         for (const auto &pair : pairs)
-          if (pair->parameters.involves(motion.body))
+          if (pair->parameters.involves(motion.body) &&
+              pair->parameters.slave_body != pair->parameters.master_body)
             may_be_held_by_contact = pair->has_to_hold = true;
         if (!may_be_held_by_contact)
           texts.push_back(motion.text());

@@ -199,6 +199,8 @@ namespace stickslip
     contact.update_patches(u, true);
     u.reinit(dofs.owned, contact.needed_displacements(), communicator);
     contact.configure(u, u, lambda);
+    if (contact.choose_sides())
+      contact.configure(u, u, lambda);
 
     std::vector<ContactAtStart<dim>> start;
     for (const auto &pair : contact.contact_pairs())

@@ -380,6 +380,7 @@ namespace stickslip
     residual(x);
     solid_assembler->accept();
     contact_assembler->accept_step();
+    is_configured &= !contact_assembler->choose_sides();
   }
 
 
@@ -392,8 +393,6 @@ namespace stickslip
     contact_assembler->restore();
     is_configured = false;
   }
-
-
 
   template class ContactProblem<2>;
   template class ContactProblem<3>;

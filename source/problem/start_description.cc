@@ -88,6 +88,8 @@ namespace stickslip
         return "have the same surfaces or parts of them: what touches "
                "there "
                "carries two pressures. Remove one of them.";
+      if (a.have_common_faces() || b.have_common_faces())
+        return ""; // who is slave there is nobody's choice
       if (have_common(a.slave, b.master) || have_common(a.master, b.slave))
         return "share a surface that is slave of one and master of the "
                "other: "

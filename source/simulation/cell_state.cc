@@ -150,6 +150,18 @@ namespace stickslip
   template <int dim>
   template <class Cursor>
   void
+  CellState<dim>::walk_side(Side &side, Cursor &cursor) const
+  {
+    auto number = static_cast<unsigned int>(side);
+    cursor(number);
+    side = static_cast<Side>(number);
+  }
+
+
+
+  template <int dim>
+  template <class Cursor>
+  void
   CellState<dim>::walk_contact_point(ContactPoint<dim> &point,
                                      Cursor            &cursor) const
   {
@@ -210,6 +222,8 @@ namespace stickslip
           continue;
         for (const unsigned int f : faces->second)
           {
+            if (pair.meets_itself())
+              walk_side(pair.slave_faces[f].side, cursor);
             for (const auto i : pair.slave_faces[f].multiplier_dofs)
               cursor.entry(fields.multipliers, i);
             for (unsigned int i = slave_faces[p].first_point[f];

@@ -275,6 +275,7 @@ namespace stickslip
     accepted.contact_forces = fields.contact_forces;
     accepted.rate           = fields.rate;
     indicators              = fields.indicators;
+    problem.contact().share_sides();
     problem.restore(); // the state goes on from the accepted histories
     physics = description.physics;
     return description.scalars;

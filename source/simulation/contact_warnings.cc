@@ -26,6 +26,20 @@ namespace stickslip
             return "";
         }
     }
+
+
+
+    /// True if slave and master have a boundary in common.
+    bool
+    meets_itself(const ContactPairParameters &pair)
+    {
+      return pair.slave_body == pair.master_body &&
+             std::find_first_of(pair.slave_boundary.begin(),
+                                pair.slave_boundary.end(),
+                                pair.master_boundary.begin(),
+                                pair.master_boundary.end()) !=
+               pair.slave_boundary.end();
+    }
   } // namespace
 
 
@@ -40,7 +54,7 @@ namespace stickslip
     for (const auto &[name, pair] : pairs)
       {
         names.push_back(name);
-        is_automatic.push_back(pair.is_automatic);
+        may_be_far.push_back(pair.is_automatic || meets_itself(pair));
         const std::string path = "'Contact/" + name;
         const auto        master =
           std::find_if(bodies.begin(),
@@ -89,7 +103,7 @@ namespace stickslip
         is_paired[p]  = resultants[p].n_unpaired < resultants[p].n_points;
         was_paired[p] = was_paired[p] || is_paired[p];
         was_closed[p] = was_closed[p] || resultants[p].n_closed() > 0;
-        if (was_paired_before && !is_paired[p] && !is_automatic[p])
+        if (was_paired_before && !is_paired[p] && !may_be_far[p])
           texts.push_back("no point of contact pair '" + names[p] +
                           "' has a master face opposite and near it: the slave "
                           "is far away, has slid off the master or has fallen "
@@ -105,7 +119,7 @@ namespace stickslip
   {
     std::vector<std::string> texts;
     for (unsigned int p = 0; n_steps > 0 && p < names.size(); ++p)
-      if (is_automatic[p])
+      if (may_be_far[p])
         continue; // most of these are there in case that bodies come near
       else if (!was_paired[p])
         texts.push_back("contact pair '" + names[p] +

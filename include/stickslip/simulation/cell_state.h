@@ -103,6 +103,10 @@ namespace stickslip
 
     template <class Cursor>
     void
+    walk_side(Side &side, Cursor &cursor) const;
+
+    template <class Cursor>
+    void
     walk_contact_point(ContactPoint<dim> &point, Cursor &cursor) const;
 
     /// Reading and writing are the same walk over the numbers.

@@ -116,6 +116,30 @@ namespace stickslip
 
 
   template <int dim>
+  bool
+  ContactAssembler<dim>::choose_sides()
+  {
+    bool changed = false;
+    for (const auto &pair : pairs)
+      if (pair->meets_itself())
+        changed = pair->choose_sides() || changed;
+    return changed;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactAssembler<dim>::share_sides()
+  {
+    for (const auto &pair : pairs)
+      if (pair->meets_itself())
+        pair->share_sides();
+  }
+
+
+
+  template <int dim>
   std::vector<types::global_dof_index>
   ContactAssembler<dim>::point_dofs(const ContactPair<dim>  &pair,
                                     const ContactPoint<dim> &point) const

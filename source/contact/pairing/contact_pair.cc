@@ -64,13 +64,8 @@ namespace stickslip
     , gap_offsets(parameters, path_of(name))
     , communicator(communicator)
   {
-    for (const auto id : surfaces.slave)
-      if (surfaces.master.count(id) > 0)
-        throw UserError("'" + path_of(name) +
-                        "': the slave and the master set share a boundary of "
-                        "body '" +
-                        parameters.slave_body +
-                        "'. A surface cannot be both in one pair.");
+    if (meets_itself())
+      check_self_contact();
 
     auto slaves =
       collect_faces(mapping, dof_handler, surfaces.slave, modulus, true);
@@ -116,7 +111,8 @@ namespace stickslip
                                        parameters.projection_tolerance,
                                        parameters.facet_overlap,
                                        parameters.end_overlap,
-                                       parameters.least_cosine};
+                                       parameters.least_cosine,
+                                       meets_itself()};
     patch = std::make_unique<MasterPatch<dim>>(owned_masters,
                                                displacement_shape,
                                                tolerances,
@@ -166,7 +162,35 @@ namespace stickslip
                                                     excluded,
                                                     hanging,
                                                     surfaces.cross_section,
+                                                    meets_itself(),
                                                     points);
+  }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::check_self_contact() const
+  {
+    const std::string given =
+      "', but the slave and the master set share a boundary of body '" +
+      parameters.slave_body + "': ";
+    if (!parameters.has_segments())
+      throw UserError("'" + path_of(name) + "/Quadrature = " +
+                      name_of(parameters.quadrature, all_contact_rules()) +
+                      given +
+                      "a surface that meets itself needs 'Quadrature = "
+                      "segments'. Or name other boundaries.");
+    if (parameters.is_bilateral())
+      throw UserError("'" + path_of(name) + "/Law = " +
+                      name_of(parameters.law, all_pair_laws()) + given +
+                      "a surface that meets itself needs 'Law = contact'. To "
+                      "bond two parts of it give them boundaries of their "
+                      "own.");
+    if (parameters.initial_gaps.treatment != InitialGapTreatment::as_meshed)
+      throw UserError("'" + path_of(name) + "/Initial gaps = closed" + given +
+                      "which of its points are slave can change, and so the "
+                      "gaps that would be kept. Take 'as meshed'.");
   }
 
 
@@ -376,6 +400,31 @@ namespace stickslip
       for (auto &point : points)
         point.hysteresis.restore();
     use_pairings(last_pairings());
+  }
+
+
+
+  template <int dim>
+  bool
+  ContactPair<dim>::choose_sides()
+  {
+    const bool changed =
+      mortar->choose_sides(*patch, patch->owned_faces(), communicator);
+    for (auto &slave : slave_faces)
+      slave.side = mortar->side_of(slave.face.id);
+    return changed;
+  }
+
+
+
+  template <int dim>
+  void
+  ContactPair<dim>::share_sides()
+  {
+    std::vector<SidedFace> owned;
+    for (const auto &slave : slave_faces)
+      owned.push_back(sided(slave.face, slave.side));
+    mortar->resume_sides(owned, communicator);
   }
 
 

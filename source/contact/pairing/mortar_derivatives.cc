@@ -192,7 +192,7 @@ namespace stickslip
         const MortarFace<dim>   &slave   = faces[around.face];
         const FaceSegments<dim> &of_face = segments[around.face];
         const unsigned int       n       = slave.face.n_nodes;
-        if (!frame.is_of_corner)
+        if (!frame.is_of_corner && slave.counts_for_normals())
           {
             const auto D_node_normal =
               outward_normal_derivative(slave.face,

@@ -97,10 +97,16 @@ namespace stickslip
     const std::vector<MortarFace<dim>> &faces,
     MortarFrame<dim>                   &frame) const
   {
+    const bool all_are_masters = // and the frame is of no use
+      std::none_of(node.faces.begin(), node.faces.end(), [&](const auto &a) {
+        return faces[a.face].counts_for_normals();
+      });
     for (const auto &around : node.faces)
       {
         const MortarFace<dim> &slave = faces[around.face];
-        const Tensor<1, dim>   v =
+        if (!slave.counts_for_normals() && !all_are_masters)
+          continue;
+        const Tensor<1, dim> v =
           -slave.face.orientation *
           surface_normal<dim>(surface_tangents<dim>(
             displacement_shape.at_node(around.displacement).gradient,

@@ -22,15 +22,27 @@ namespace stickslip
     const std::set<types::global_dof_index> &excluded,
     const HangingNodes                      &hanging,
     const CrossSection                      &cross_section,
+    const bool                               meets_itself,
     std::vector<ContactPoint<dim>>          &points)
     : displacement_shape(displacement_shape)
     , multiplier_shape(multiplier_shape)
     , rule(displacement_shape, parameters.quadrature_order, cross_section)
     , integrals(displacement_shape, multiplier_shape)
     , derivatives(displacement_shape, multiplier_shape)
+    , cross_section(cross_section)
+    , meets_itself(meets_itself)
   {
     collect_nodes(slaves, excluded, hanging, owned_faces, points);
-    set_weightings(parameters.weighting, cross_section);
+    for (MortarFace<dim> &slave : faces)
+      {
+        slave.weighting_kind = parameters.weighting;
+        slave.always_missing = slave.missing;
+        slave.side           = meets_itself ? Side::neither : Side::slave;
+      }
+    const auto weights = set_weightings();
+    for (auto &node : nodes)
+      for (const auto &around : node.faces)
+        node.area += weights[around.face][around.multiplier];
     // what is bonded is not pressed against anything
     if (!parameters.is_bilateral())
       find_corners(displacement_shape, faces, nodes);
@@ -129,53 +141,114 @@ namespace stickslip
 
 
   template <int dim>
-  void
-  MortarSurface<dim>::set_weightings(const WeightingFunctions kind,
-                                     const CrossSection      &cross_section)
+  std::vector<std::vector<double>>
+  MortarSurface<dim>::set_weightings()
   {
     const auto quadrature =
       gauss_quadrature<dim - 1>(displacement_shape.reference_cell(),
                                 multiplier_shape.degree() +
                                   displacement_shape.degree() + 1);
     std::vector<std::vector<double>> weights; // [face][l]
-    FaceShapeValues<dim>             values;
-    std::vector<double>              L;
+    for (MortarFace<dim> &slave : faces)
+      weights.push_back(set_weightings(quadrature, slave));
+    return weights;
+  }
+
+
+
+  template <int dim>
+  std::vector<double>
+  MortarSurface<dim>::set_weightings(const Quadrature<dim - 1> &quadrature,
+                                     MortarFace<dim>           &slave) const
+  {
+    const auto           undeformed = slave.face.undeformed_nodes();
+    std::vector<double>  areas;
+    FaceShapeValues<dim> values;
+    slave.area = 0.;
+    for (unsigned int q = 0; q < quadrature.size(); ++q)
+      {
+        displacement_shape.evaluate(quadrature.point(q), values);
+        areas.push_back(quadrature.weight(q) *
+                        surface_normal<dim>(
+                          surface_tangents<dim>(values.gradient, undeformed))
+                          .norm() *
+                        cross_section.circumference(
+                          interpolate<dim>(values.value, undeformed)));
+        slave.area += areas.back();
+      }
+    const auto functions = [&](const WeightingFunctions which) {
+      return weighting_functions<dim>(
+        which, multiplier_shape, slave.missing, quadrature, areas);
+    };
+    slave.extended  = functions(WeightingFunctions::standard);
+    slave.weighting = functions(slave.weighting_kind);
+    std::vector<double> weights(multiplier_shape.n_nodes(), 0.), L;
+    for (unsigned int q = 0; q < quadrature.size(); ++q)
+      {
+        multiplier_shape.evaluate_values(quadrature.point(q), L);
+        for (unsigned int l = 0; l < L.size(); ++l)
+          for (unsigned int m = 0; m < L.size(); ++m)
+            weights[l] += areas[q] * slave.weighting(l, m) * L[m];
+      }
+    return weights;
+  }
+
+
+
+  template <int dim>
+  bool
+  MortarSurface<dim>::choose_sides(const MasterPatch<dim>              &patch,
+                                   const std::vector<SurfaceFace<dim>> &masters,
+                                   const MPI_Comm &communicator)
+  {
+    std::vector<SidedFace>     known;
+    std::vector<OppositeFaces> opposite;
+    for (const MortarFace<dim> &slave : faces)
+      {
+        known.push_back(sided(slave.face, slave.side));
+        known.back().may_be_slave = true;
+        for (const auto &both : find_opposite(slave, rule, patch))
+          opposite.push_back(both);
+      }
+    for (const SurfaceFace<dim> &master : masters)
+      {
+        known.push_back(sided(master, sides.side_of(master.id)));
+        known.back().may_be_master = true;
+      }
+    const bool changed = sides.choose(known, opposite, communicator);
+    take_sides();
+    return changed;
+  }
+
+
+
+  template <int dim>
+  void
+  MortarSurface<dim>::resume_sides(const std::vector<SidedFace> &owned,
+                                   const MPI_Comm               &communicator)
+  {
+    sides.resume(owned, communicator);
+    take_sides();
+  }
+
+
+
+  template <int dim>
+  void
+  MortarSurface<dim>::take_sides()
+  {
     for (MortarFace<dim> &slave : faces)
       {
-        const SurfaceFace<dim> &face   = slave.face;
-        slave.weighting_kind           = kind;
-        const auto          undeformed = face.undeformed_nodes();
-        std::vector<double> areas;
-        for (unsigned int q = 0; q < quadrature.size(); ++q)
-          {
-            displacement_shape.evaluate(quadrature.point(q), values);
-            areas.push_back(
-              quadrature.weight(q) *
-              surface_normal<dim>(
-                surface_tangents<dim>(values.gradient, undeformed))
-                .norm() *
-              cross_section.circumference(
-                interpolate<dim>(values.value, undeformed)));
-            slave.area += areas.back();
-          }
-        const auto functions = [&](const WeightingFunctions which) {
-          return weighting_functions<dim>(
-            which, multiplier_shape, slave.missing, quadrature, areas);
-        };
-        slave.extended  = functions(WeightingFunctions::standard);
-        slave.weighting = functions(kind);
-        weights.emplace_back(multiplier_shape.n_nodes(), 0.);
-        for (unsigned int q = 0; q < quadrature.size(); ++q)
-          {
-            multiplier_shape.evaluate_values(quadrature.point(q), L);
-            for (unsigned int l = 0; l < L.size(); ++l)
-              for (unsigned int m = 0; m < L.size(); ++m)
-                weights.back()[l] += areas[q] * slave.weighting(l, m) * L[m];
-          }
+        slave.side    = sides.side_of(slave.face.id);
+        slave.missing = slave.always_missing;
+        for (unsigned int l = 0; l < multiplier_shape.n_nodes(); ++l)
+          if (sides.is_on_border(
+                slave.face.dofs[dim * displacement_node(displacement_shape,
+                                                        multiplier_shape,
+                                                        l)]))
+            slave.missing.is_missing[l] = true;
       }
-    for (auto &node : nodes)
-      for (const auto &around : node.faces)
-        node.area += weights[around.face][around.multiplier];
+    set_weightings();
   }
 
 
@@ -290,8 +363,20 @@ namespace stickslip
   {
     const auto segments =
       std::make_shared<typename MortarPairing<dim>::Segments>();
-    for (const MortarFace<dim> &slave : faces)
-      segments->push_back(find_segments(slave, rule, patch));
+    if (!meets_itself)
+      for (const MortarFace<dim> &slave : faces)
+        segments->push_back(find_segments(slave, rule, patch));
+    else
+      for (const MortarFace<dim> &slave : faces)
+        segments->push_back(slave.side == Side::slave
+                              ? find_segments(slave,
+                                              rule,
+                                              patch,
+                                              [this](const FaceId &face) {
+                                                return sides.side_of(face) !=
+                                                       Side::slave;
+                                              })
+                              : FaceSegments<dim>());
     return segments;
   }
 

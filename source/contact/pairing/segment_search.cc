@@ -23,6 +23,15 @@ namespace stickslip
 
 
 
+    /// A point of a surface that meets itself has come in if it is not deeper
+    /// than this fraction of the faces and of the thickness of the body.
+    constexpr double come_in = 0.25;
+
+    /// The back of a body is not farther away than this times its thickness.
+    constexpr double thick = 1.5;
+
+
+
     /// A master face above or below a slave face.
     template <int dim>
     struct Candidate
@@ -89,7 +98,7 @@ namespace stickslip
       middle.face_nodes  = &slave.positions;
       partner.face       = candidate.master;
       partner.n          = plane.n;
-      if (is_level(middle, partner, patch))
+      if (!patch.tolerances.is_own_master && is_level(middle, partner, patch))
         return;
       middle_of_segments(candidate.points,
                          shape,
@@ -99,6 +108,59 @@ namespace stickslip
                          partner.x_old);
       partner.n_old =
         projection_plane(slave.face, shape, slave.old_positions).n;
+    }
+
+
+
+    /// Of faces of one body: depth up to which one has come in at the other.
+    template <int dim>
+    double
+    deepest(const MortarFace<dim> &slave, const SurfaceFace<dim> &master)
+    {
+      return come_in * std::min({slave.face.diameter,
+                                 master.diameter,
+                                 slave.face.thickness,
+                                 master.thickness});
+    }
+
+
+
+    /// True if the segments of @p candidate are on the back of the body, seen
+    /// from the slave face, which no deformation brings to its front.
+    template <int dim>
+    bool
+    is_back(const MortarFace<dim>  &slave,
+            const Candidate<dim>   &candidate,
+            const MasterPatch<dim> &patch)
+    {
+      const SurfaceFace<dim>           &master = patch.face(candidate.master);
+      const FaceShape<dim>             &shape  = patch.face_shape();
+      const std::vector<Tensor<1, dim>> nodes  = slave.face.undeformed_nodes();
+      Tensor<1, dim>                    X_s, X_m;
+      middle_of_segments(
+        candidate.points, shape, nodes, master.undeformed_nodes(), X_s, X_m);
+      const Tensor<1, dim> through = X_m - X_s;
+      return through * projection_plane(slave.face, shape, nodes).n <
+               -deepest(slave, master) &&
+             through.norm() <=
+               thick * std::min(slave.face.thickness, master.thickness);
+    }
+
+
+
+    /// can_be_partners() for two faces of one body. A surface that has not met
+    /// itself yet has no penetrations, and what lies far behind a face is its
+    /// own body.
+    template <int dim>
+    bool
+    can_meet(const MortarFace<dim>  &slave,
+             const Candidate<dim>   &candidate,
+             const MasterPatch<dim> &patch)
+    {
+      const Depth depth = depth_of(candidate.middle, candidate.partner);
+      return std::min(depth.now, depth.at_start) <=
+               deepest(slave, patch.face(candidate.master)) &&
+             !is_back(slave, candidate, patch);
     }
 
 
@@ -300,51 +362,109 @@ namespace stickslip
 
 
 
+  namespace
+  {
+    /// The slave face as it is seen, and the master faces opposite.
+    template <int dim>
+    struct SeenFrom
+    {
+      ProjectionPlane<dim>        plane;
+      ProjectedFace<dim>          projected;
+      std::vector<Candidate<dim>> candidates;
+    };
+
+
+
+    template <int dim>
+    double
+    covered_area(const std::vector<Candidate<dim>> &candidates)
+    {
+      double area = 0.;
+      for (const auto &candidate : candidates)
+        area += candidate.area;
+      return area;
+    }
+
+
+
+    template <int dim>
+    SeenFrom<dim>
+    look_from(const MortarFace<dim>  &slave,
+              const SegmentRule<dim> &rule,
+              const MasterPatch<dim> &patch)
+    {
+      const FaceShape<dim> &shape = rule.face_shape();
+      SeenFrom<dim>         seen;
+      auto                 &plane     = seen.plane;
+      auto                 &projected = seen.projected;
+      plane     = projection_plane(slave.face, shape, slave.positions);
+      projected = project(shape, slave.positions, plane);
+      for (const unsigned int m : patch.faces_near(slave.positions))
+        {
+          const auto &nodes  = patch.configuration(m).positions;
+          const auto  master = projection_plane(patch.face(m), shape, nodes);
+          if (-(master.n * plane.n) <= patch.tolerances.least_cosine)
+            continue;
+          Candidate<dim> candidate;
+          candidate.master    = m;
+          candidate.projected = project(shape, nodes, plane);
+          rule.add_points(plane,
+                          {slave.positions, projected},
+                          slave.face.reference_positions,
+                          {nodes, candidate.projected},
+                          0,
+                          candidate.points);
+          if (candidate.points.empty())
+            continue;
+          measure_candidate(slave, plane, patch, candidate);
+          if (candidate.distance > patch.tolerances.search_distance ||
+              !(patch.tolerances.is_own_master
+                  ? can_meet(slave, candidate, patch)
+                  : can_be_partners(candidate.middle,
+                                    candidate.partner,
+                                    patch)))
+            continue;
+          seen.candidates.push_back(candidate);
+        }
+      if (covered_area(seen.candidates) > (1. + no_overlap) * slave.area ||
+          are_apart(seen.candidates, patch))
+        drop_hidden(projected, patch, seen.candidates);
+      return seen;
+    }
+  } // namespace
+
+
+
   template <int dim>
   FaceSegments<dim>
-  find_segments(const MortarFace<dim>  &slave,
-                const SegmentRule<dim> &rule,
-                const MasterPatch<dim> &patch)
+  find_segments(const MortarFace<dim>                     &slave,
+                const SegmentRule<dim>                    &rule,
+                const MasterPatch<dim>                    &patch,
+                const std::function<bool(const FaceId &)> &is_master)
   {
-    const FaceShape<dim> &shape = rule.face_shape();
-    const auto plane     = projection_plane(slave.face, shape, slave.positions);
-    auto       projected = project(shape, slave.positions, plane);
-
-    std::vector<Candidate<dim>> candidates;
-    double                      covered = 0.;
-    for (const unsigned int m : patch.faces_near(slave.positions))
-      {
-        const auto &nodes  = patch.configuration(m).positions;
-        const auto  master = projection_plane(patch.face(m), shape, nodes);
-        if (-(master.n * plane.n) <= patch.tolerances.least_cosine)
-          continue;
-        Candidate<dim> candidate;
-        candidate.master    = m;
-        candidate.projected = project(shape, nodes, plane);
-        rule.add_points(plane,
-                        {slave.positions, projected},
-                        slave.face.reference_positions,
-                        {nodes, candidate.projected},
-                        0,
-                        candidate.points);
-        if (candidate.points.empty())
-          continue;
-        measure_candidate(slave, plane, patch, candidate);
-        if (candidate.distance > patch.tolerances.search_distance ||
-            !can_be_partners(candidate.middle, candidate.partner, patch))
-          continue;
-        covered += candidate.area;
-        candidates.push_back(candidate);
-      }
-    if (covered > (1. + no_overlap) * slave.area ||
-        are_apart(candidates, patch))
-      drop_hidden(projected, patch, candidates);
+    auto  seen       = look_from(slave, rule, patch);
+    auto &candidates = seen.candidates;
+    // not before: what they hide stays hidden
+    if (is_master)
+      candidates.erase(std::remove_if(candidates.begin(),
+                                      candidates.end(),
+                                      [&](const auto &candidate) {
+                                        return !is_master(
+                                          patch.face(candidate.master).id);
+                                      }),
+                       candidates.end());
 
     FaceSegments<dim> segments;
-    const bool        is_curved = dim == 3 && shape.degree() > 1;
-    if (covered < (1. - no_gap) * slave.area || is_curved)
-      add_ends(
-        slave, rule, plane, is_curved, projected, candidates, patch, segments);
+    const bool        is_curved = dim == 3 && rule.face_shape().degree() > 1;
+    if (covered_area(candidates) < (1. - no_gap) * slave.area || is_curved)
+      add_ends(slave,
+               rule,
+               seen.plane,
+               is_curved,
+               seen.projected,
+               candidates,
+               patch,
+               segments);
     for (auto &candidate : candidates)
       {
         for (auto &point : candidate.points)
@@ -358,10 +478,30 @@ namespace stickslip
     return segments;
   }
 
-#define INSTANTIATE(dim)                                             \
-  template FaceSegments<dim> find_segments(const MortarFace<dim> &,  \
-                                           const SegmentRule<dim> &, \
-                                           const MasterPatch<dim> &);
+
+
+  template <int dim>
+  std::vector<OppositeFaces>
+  find_opposite(const MortarFace<dim>  &slave,
+                const SegmentRule<dim> &rule,
+                const MasterPatch<dim> &patch)
+  {
+    std::vector<OppositeFaces> opposite;
+    for (const auto &candidate : look_from(slave, rule, patch).candidates)
+      opposite.push_back(
+        {slave.face.id, patch.face(candidate.master).id, candidate.distance});
+    return opposite;
+  }
+
+#define INSTANTIATE(dim)                                                      \
+  template FaceSegments<dim> find_segments(                                   \
+    const MortarFace<dim> &,                                                  \
+    const SegmentRule<dim> &,                                                 \
+    const MasterPatch<dim> &,                                                 \
+    const std::function<bool(const FaceId &)> &);                             \
+  template std::vector<OppositeFaces> find_opposite(const MortarFace<dim> &,  \
+                                                    const SegmentRule<dim> &, \
+                                                    const MasterPatch<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

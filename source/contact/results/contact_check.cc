@@ -171,6 +171,22 @@ namespace stickslip
       found.fallen_through =
         Utilities::MPI::sum(found.fallen_through, communicator);
     }
+
+
+
+    /// Where the partner of a point is in the mean over its segments: on its
+    /// own surface a point alone would find its neighbours.
+    template <int dim>
+    void
+    record_mean_partner(const ContactPair<dim> &pair, ContactPoint<dim> &point)
+    {
+      point.initial_pairing.paired = point.pairing.paired;
+      if (!point.pairing.paired)
+        return;
+      const auto &average = pair.mortar->average(point.geometry.mortar_node);
+      point.initial_pairing.n               = point.pairing.n;
+      point.initial_pairing.master_position = average.x - average.r;
+    }
   } // namespace
 
 
@@ -181,6 +197,8 @@ namespace stickslip
   {
     for_each_point(
       contact, [](ContactPair<dim> &pair, ContactPoint<dim> &point) {
+        if (pair.meets_itself())
+          return record_mean_partner(pair, point);
         const Pairing<dim> pairing   = pair.find_pairing(point);
         point.initial_pairing.paired = pairing.paired;
         if (!pairing.paired)

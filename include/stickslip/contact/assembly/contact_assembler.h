@@ -98,6 +98,16 @@ namespace stickslip
     void
     restore();
 
+    /// Chooses anew, in the present configuration, which faces of surfaces that
+    /// meet themselves are slave. True if something has changed: configure()
+    /// then has to be called again. Collective.
+    bool
+    choose_sides();
+
+    /// Tells all ranks the sides that were read. Collective.
+    void
+    share_sides();
+
     const MPI_Comm &
     get_communicator() const
     {

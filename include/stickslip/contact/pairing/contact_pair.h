@@ -11,6 +11,7 @@
 #include <stickslip/contact/surface/hanging_nodes.h>
 #include <stickslip/contact/surface/multiplier_numbering.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <set>
@@ -30,6 +31,15 @@ namespace stickslip
     /// First dofs of further nodes without contact, among the relevant ones.
     std::set<types::global_dof_index> excluded_nodes = {};
     CrossSection                      cross_section  = {};
+
+    /// True if the pair is a surface that meets itself.
+    bool
+    have_common_faces() const
+    {
+      return std::any_of(slave.begin(), slave.end(), [this](const auto id) {
+        return master.count(id) > 0;
+      });
+    }
   };
 
 
@@ -156,6 +166,24 @@ namespace stickslip
     void
     restore();
 
+    /// True if the pair is a surface that meets itself.
+    bool
+    meets_itself() const
+    {
+      return surfaces.have_common_faces();
+    }
+
+    /// Chooses in the present configuration which faces of a surface that
+    /// meets itself are slave and which master. True if something has changed.
+    /// Collective.
+    bool
+    choose_sides();
+
+    /// Tells all ranks the sides that the owned slave faces of a surface that
+    /// meets itself have. Collective.
+    void
+    share_sides();
+
     SlavePosition<dim>
     slave_position(const ContactPoint<dim> &point) const
     {
@@ -199,6 +227,10 @@ namespace stickslip
     }
 
   private:
+    /// What a surface that meets itself cannot have.
+    void
+    check_self_contact() const;
+
     Pairing<dim>
     last_pairing(const ContactPoint<dim> &point) const;
 

@@ -32,7 +32,8 @@ namespace stickslip
     double end_overlap;
     /// A master face faces a slave face if the cosine of the angle between the
     /// slave's outward normal and the normal into the master is larger.
-    double least_cosine = 0.1;
+    double least_cosine  = 0.1;
+    bool   is_own_master = false; ///< one surface that meets itself
   };
 
 

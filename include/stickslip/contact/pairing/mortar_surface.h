@@ -3,6 +3,7 @@
 
 #include <stickslip/contact/pairing/mortar_derivatives.h>
 #include <stickslip/contact/pairing/mortar_pairing.h>
+#include <stickslip/contact/pairing/surface_sides.h>
 #include <stickslip/contact/point/contact_parameters.h>
 #include <stickslip/contact/point/contact_points.h>
 #include <stickslip/contact/surface/hanging_nodes.h>
@@ -35,7 +36,8 @@ namespace stickslip
      * @p slaves are all slave faces, ghosts included; @p points the contact
      * points of the nodal rule on @p owned_faces, of which one per node is
      * kept: it has the number of its node. @p hanging nodes have no point,
-     * nor have @p excluded ones. Not collective.
+     * nor have @p excluded ones. Without sides (choose_sides()) a surface that
+     * @p meets_itself has no partners. Not collective.
      */
     MortarSurface(const FaceShape<dim>                    &displacement_shape,
                   const FaceShape<dim>                    &multiplier_shape,
@@ -45,6 +47,7 @@ namespace stickslip
                   const std::set<types::global_dof_index> &excluded,
                   const HangingNodes                      &hanging,
                   const CrossSection                      &cross_section,
+                  const bool                               meets_itself,
                   std::vector<ContactPoint<dim>>          &points);
 
     const MortarNode<dim> &
@@ -99,6 +102,27 @@ namespace stickslip
     /// position.
     void
     set_kept_share(const double share);
+
+    /**
+     * Chooses in the present configuration which faces of a surface that meets
+     * itself are slave and master from now on. @p masters are the master faces
+     * of this rank. True if something has changed. Collective.
+     */
+    bool
+    choose_sides(const MasterPatch<dim>              &patch,
+                 const std::vector<SurfaceFace<dim>> &masters,
+                 const MPI_Comm                      &communicator);
+
+    /// Takes the sides of the @p owned faces of all ranks. Collective.
+    void
+    resume_sides(const std::vector<SidedFace> &owned,
+                 const MPI_Comm               &communicator);
+
+    Side
+    side_of(const FaceId &face) const
+    {
+      return sides.side_of(face);
+    }
 
     /// Positions from ghosted displacements, now and at the start of the step.
     void
@@ -178,6 +202,9 @@ namespace stickslip
     const SegmentRule<dim>          rule;
     const MortarIntegrals<dim>      integrals;
     const MortarDerivatives<dim>    derivatives;
+    const CrossSection              cross_section;
+    const bool                      meets_itself;
+    SurfaceSides                    sides; ///< of a surface that meets itself
     std::vector<MortarFace<dim>>    faces;
     std::vector<MortarNode<dim>>    nodes;
     std::vector<FaceIntegrals<dim>> over_faces; ///< of the present pairing
@@ -196,9 +223,17 @@ namespace stickslip
                   const std::vector<SlaveFace<dim>>       &owned_faces,
                   std::vector<ContactPoint<dim>>          &points);
 
+    /// Returns the integrals of the functions over the faces: [face][l].
+    std::vector<std::vector<double>>
+    set_weightings();
+
+    /// Of one face.
+    std::vector<double>
+    set_weightings(const Quadrature<dim - 1> &quadrature,
+                   MortarFace<dim>           &slave) const;
+
     void
-    set_weightings(const WeightingFunctions kind,
-                   const CrossSection      &cross_section);
+    take_sides();
 
     PairingPointer
     empty_pairing() const;

@@ -120,13 +120,25 @@ namespace stickslip
 
 
 
+  /// What a face of a surface that meets itself is at present.
+  enum class Side
+  {
+    neither, ///< nothing within reach; what comes there takes it as a master
+    slave,
+    master
+  };
+
+
+
   /// A slave face: its displacements and its multipliers.
   template <int dim>
   struct SlaveFace
   {
     SurfaceFace<dim> face;
     std::vector<types::global_dof_index>
-      multiplier_dofs; ///< [node * n_comp + c]
+         multiplier_dofs;    ///< [node * n_comp + c]
+    Side side = Side::slave; ///< neither or master: of a surface that meets
+                             ///< itself, without contact points at present
   };
 
 
