@@ -10,6 +10,7 @@
 #include "case_problem.h"
 #include "print.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>

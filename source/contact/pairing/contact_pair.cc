@@ -14,7 +14,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace stickslip
 {
@@ -24,20 +23,6 @@ namespace stickslip
     path_of(const std::string &pair_name)
     {
       return "Contact/" + pair_name;
-    }
-
-
-
-    /// Smallest modulus of the cells behind @p faces.
-    template <typename Faces>
-    double
-    softest(const Faces                                           &faces,
-            const std::function<double(const types::material_id)> &modulus)
-    {
-      double smallest = std::numeric_limits<double>::infinity();
-      for (const auto &face : faces)
-        smallest = std::min(smallest, modulus(face.cell->material_id()));
-      return smallest;
     }
   } // namespace
 
@@ -65,24 +50,18 @@ namespace stickslip
     , communicator(communicator)
   {
     if (meets_itself())
-      check_self_contact();
+      parameters.check_self_contact(path_of(name));
 
-    auto slaves =
-      collect_faces(mapping, dof_handler, surfaces.slave, modulus, true);
-    auto masters =
-      collect_faces(mapping, dof_handler, surfaces.master, modulus, true);
-    drop_faces_on_axis(surfaces.cross_section, slaves);
-    drop_faces_on_axis(surfaces.cross_section, masters);
-    measure_thickness(dof_handler,
-                      surfaces.slave_body,
-                      displacement_shape,
-                      communicator,
-                      slaves);
-    measure_thickness(dof_handler,
-                      surfaces.master_body,
-                      displacement_shape,
-                      communicator,
-                      masters);
+    const auto collect = [&](const std::set<types::boundary_id> &boundary,
+                             const std::set<types::boundary_id> &body) {
+      auto faces = collect_faces(mapping, dof_handler, boundary, modulus, true);
+      drop_faces_on_axis(surfaces.cross_section, faces);
+      measure_thickness(
+        dof_handler, body, displacement_shape, communicator, faces);
+      return faces;
+    };
+    const auto slaves  = collect(surfaces.slave, surfaces.slave_body);
+    auto       masters = collect(surfaces.master, surfaces.master_body);
     if (parameters.has_smoothed_normals())
       add_nodal_normals(masters,
                         displacement_shape,
@@ -101,10 +80,11 @@ namespace stickslip
         }
     largest_slave_diameter =
       Utilities::MPI::max(largest_slave_diameter, communicator);
-    softest_modulus = Utilities::MPI::min(std::min(softest(slaves, modulus),
-                                                   softest(masters, modulus)),
-                                          communicator);
-    margin          = 0.5 * largest_slave_diameter;
+    softest_modulus =
+      Utilities::MPI::min(std::min(softest_modulus_of(slaves, modulus),
+                                   softest_modulus_of(masters, modulus)),
+                          communicator);
+    margin = 0.5 * largest_slave_diameter;
     const PairingTolerances tolerances{parameters.search_distance > 0.
                                          ? parameters.search_distance
                                          : 4. * largest_slave_diameter,
@@ -164,33 +144,6 @@ namespace stickslip
                                                     surfaces.cross_section,
                                                     meets_itself(),
                                                     points);
-  }
-
-
-
-  template <int dim>
-  void
-  ContactPair<dim>::check_self_contact() const
-  {
-    const std::string given =
-      "', but the slave and the master set share a boundary of body '" +
-      parameters.slave_body + "': ";
-    if (!parameters.has_segments())
-      throw UserError("'" + path_of(name) + "/Quadrature = " +
-                      name_of(parameters.quadrature, all_contact_rules()) +
-                      given +
-                      "a surface that meets itself needs 'Quadrature = "
-                      "segments'. Or name other boundaries.");
-    if (parameters.is_bilateral())
-      throw UserError("'" + path_of(name) + "/Law = " +
-                      name_of(parameters.law, all_pair_laws()) + given +
-                      "a surface that meets itself needs 'Law = contact'. To "
-                      "bond two parts of it give them boundaries of their "
-                      "own.");
-    if (parameters.initial_gaps.treatment != InitialGapTreatment::as_meshed)
-      throw UserError("'" + path_of(name) + "/Initial gaps = closed" + given +
-                      "which of its points are slave can change, and so the "
-                      "gaps that would be kept. Take 'as meshed'.");
   }
 
 

@@ -1,6 +1,7 @@
 #include <stickslip/contact/pairing/mortar_surface.h>
 
 #include <stickslip/contact/pairing/corner_cone.h>
+#include <stickslip/contact/pairing/mortar_nodes.h>
 
 #include <stickslip/mesh/reference_cells.h>
 
@@ -8,7 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <set>
 
 namespace stickslip
 {
@@ -32,7 +33,15 @@ namespace stickslip
     , cross_section(cross_section)
     , meets_itself(meets_itself)
   {
-    collect_nodes(slaves, excluded, hanging, owned_faces, points);
+    collect_mortar_nodes(displacement_shape,
+                         multiplier_shape,
+                         slaves,
+                         excluded,
+                         hanging,
+                         owned_faces,
+                         points,
+                         faces,
+                         nodes);
     for (MortarFace<dim> &slave : faces)
       {
         slave.weighting_kind = parameters.weighting;
@@ -50,92 +59,6 @@ namespace stickslip
       point.geometry.weight = nodes[point.geometry.mortar_node].area;
     averages.resize(nodes.size());
     current = remembered = accepted = empty_pairing();
-  }
-
-
-
-  template <int dim>
-  void
-  MortarSurface<dim>::collect_nodes(
-    const std::vector<CollectedFace<dim>>   &slaves,
-    const std::set<types::global_dof_index> &excluded,
-    const HangingNodes                      &hanging,
-    const std::vector<SlaveFace<dim>>       &owned_faces,
-    std::vector<ContactPoint<dim>>          &points)
-  {
-    struct Corner
-    {
-      unsigned int slave, multiplier, displacement;
-    };
-    std::map<types::global_dof_index, std::vector<Corner>> corners;
-    std::vector<std::vector<types::global_dof_index>>      keys(slaves.size());
-    for (unsigned int s = 0; s < slaves.size(); ++s)
-      for (unsigned int l = 0; l < multiplier_shape.n_nodes(); ++l)
-        {
-          const unsigned int j =
-            displacement_node(displacement_shape, multiplier_shape, l);
-          keys[s].push_back(slaves[s].face.dofs[j * dim]);
-          corners[keys[s].back()].push_back({s, l, j});
-        }
-
-    std::map<unsigned int, unsigned int> face_numbers;
-    const auto                           number_of = [&](const unsigned int s) {
-      const auto [entry, is_new] = face_numbers.emplace(s, faces.size());
-      if (is_new)
-        {
-          faces.emplace_back();
-          faces.back().face    = slaves[s].face;
-          faces.back().missing = missing_nodes(
-            keys[s], excluded, hanging, node_shared_with_parent(slaves[s]));
-        }
-      return entry->second;
-    };
-    const auto make_node = [&](const std::vector<Corner> &around) {
-      MortarNode<dim>                                 node;
-      std::map<types::global_dof_index, unsigned int> stencil;
-      for (const Corner &corner : around)
-        {
-          const SurfaceFace<dim> &face = slaves[corner.slave].face;
-          node.faces.push_back({number_of(corner.slave),
-                                corner.multiplier,
-                                corner.displacement,
-                                {}});
-          for (unsigned int k = 0; k < face.n_nodes; ++k)
-            {
-              const auto first = face.dofs.begin() + k * dim;
-              const auto [entry, is_new] =
-                stencil.emplace(*first, stencil.size());
-              if (is_new)
-                node.dofs.insert(node.dofs.end(), first, first + dim);
-              node.faces.back().stencil.push_back(entry->second);
-            }
-        }
-      return node;
-    };
-
-    std::vector<ContactPoint<dim>> kept;
-    for (const ContactPoint<dim> &point : points)
-      {
-        const SurfaceFace<dim> &own =
-          owned_faces[point.geometry.slave_face].face;
-        const unsigned int j =
-          displacement_node(displacement_shape,
-                            multiplier_shape,
-                            point.geometry.quadrature_index);
-        const auto &around = corners.at(own.dofs[j * dim]);
-        // the first of the faces, which are sorted, carries the point
-        if (!(slaves[around.front().slave].face.id == own.id))
-          continue;
-        kept.push_back(point);
-        kept.back().geometry.mortar_node = nodes.size();
-        nodes.push_back(make_node(around));
-        MortarNode<dim> &node = nodes.back();
-        node.direction.assign(node.n_stencil_nodes(), 0.);
-        for (unsigned int k = 0; k < own.n_nodes; ++k)
-          node.direction[node.faces.front().stencil[k]] =
-            point.geometry.direction_gradients[k];
-      }
-    points.swap(kept);
   }
 
 
@@ -363,20 +286,16 @@ namespace stickslip
   {
     const auto segments =
       std::make_shared<typename MortarPairing<dim>::Segments>();
-    if (!meets_itself)
-      for (const MortarFace<dim> &slave : faces)
+    const auto is_master = [this](const FaceId &face) {
+      return sides.side_of(face) != Side::slave;
+    };
+    for (const MortarFace<dim> &slave : faces)
+      if (!meets_itself)
         segments->push_back(find_segments(slave, rule, patch));
-    else
-      for (const MortarFace<dim> &slave : faces)
-        segments->push_back(slave.side == Side::slave
-                              ? find_segments(slave,
-                                              rule,
-                                              patch,
-                                              [this](const FaceId &face) {
-                                                return sides.side_of(face) !=
-                                                       Side::slave;
-                                              })
-                              : FaceSegments<dim>());
+      else if (slave.side == Side::slave)
+        segments->push_back(find_segments(slave, rule, patch, is_master));
+      else
+        segments->emplace_back();
     return segments;
   }
 

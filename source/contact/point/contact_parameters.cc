@@ -257,4 +257,29 @@ namespace stickslip
                       "all gaps of the start are kept without stress anyway. "
                       "Remove it, or set 'Overlap ramp time' to close them.");
   }
+
+
+
+  void
+  ContactPairParameters::check_self_contact(const std::string &path) const
+  {
+    const std::string given =
+      "', but the slave and the master set share a boundary of body '" +
+      slave_body + "': ";
+    if (!has_segments())
+      throw UserError("'" + path + "/Quadrature = " +
+                      name_of(quadrature, all_contact_rules()) + given +
+                      "a surface that meets itself needs 'Quadrature = "
+                      "segments'. Or name other boundaries.");
+    if (is_bilateral())
+      throw UserError("'" + path + "/Law = " + name_of(law, all_pair_laws()) +
+                      given +
+                      "a surface that meets itself needs 'Law = contact'. To "
+                      "bond two parts of it give them boundaries of their "
+                      "own.");
+    if (initial_gaps.treatment != InitialGapTreatment::as_meshed)
+      throw UserError("'" + path + "/Initial gaps = closed" + given +
+                      "which of its points are slave can change, and so the "
+                      "gaps that would be kept. Take 'as meshed'.");
+  }
 } // namespace stickslip

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -190,6 +191,20 @@ namespace stickslip
 
 
   template <int dim>
+  double
+  softest_modulus_of(
+    const std::vector<CollectedFace<dim>>                 &faces,
+    const std::function<double(const types::material_id)> &modulus)
+  {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const auto &face : faces)
+      smallest = std::min(smallest, modulus(face.cell->material_id()));
+    return smallest;
+  }
+
+
+
+  template <int dim>
   void
   drop_faces_on_axis(const CrossSection              &cross_section,
                      std::vector<CollectedFace<dim>> &faces)
@@ -292,6 +307,9 @@ namespace stickslip
     const std::set<types::boundary_id> &,                                      \
     const std::function<double(const types::material_id)> &,                   \
     const bool);                                                               \
+  template double softest_modulus_of(                                          \
+    const std::vector<CollectedFace<dim>> &,                                   \
+    const std::function<double(const types::material_id)> &);                  \
   template void drop_faces_on_axis(const CrossSection &,                       \
                                    std::vector<CollectedFace<dim>> &);         \
   template void add_nodal_normals(std::vector<CollectedFace<dim>> &,           \

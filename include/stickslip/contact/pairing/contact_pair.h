@@ -227,10 +227,6 @@ namespace stickslip
     }
 
   private:
-    /// What a surface that meets itself cannot have.
-    void
-    check_self_contact() const;
-
     Pairing<dim>
     last_pairing(const ContactPoint<dim> &point) const;
 

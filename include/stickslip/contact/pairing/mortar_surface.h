@@ -216,13 +216,6 @@ namespace stickslip
     PairingPointer                  remembered;
     PairingPointer                  accepted;
 
-    void
-    collect_nodes(const std::vector<CollectedFace<dim>>   &slaves,
-                  const std::set<types::global_dof_index> &excluded,
-                  const HangingNodes                      &hanging,
-                  const std::vector<SlaveFace<dim>>       &owned_faces,
-                  std::vector<ContactPoint<dim>>          &points);
-
     /// Returns the integrals of the functions over the faces: [face][l].
     std::vector<std::vector<double>>
     set_weightings();

@@ -113,6 +113,10 @@ namespace stickslip
     void
     check_bilateral(const std::string &path) const;
 
+    /// What a surface that meets itself cannot have. Throws UserError.
+    void
+    check_self_contact(const std::string &path) const;
+
     /// Whether one of the pair's surfaces belongs to @p body.
     bool
     involves(const std::string &body) const

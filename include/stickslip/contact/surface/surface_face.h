@@ -231,6 +231,13 @@ namespace stickslip
                 const std::function<double(const types::material_id)> &modulus,
                 const bool with_ghosts);
 
+  /// Smallest @p modulus of the cells behind @p faces; infinity: all rigid.
+  template <int dim>
+  double
+  softest_modulus_of(
+    const std::vector<CollectedFace<dim>>                 &faces,
+    const std::function<double(const types::material_id)> &modulus);
+
   /// Removes faces on the axis of bodies of revolution, which has no area.
   template <int dim>
   void
