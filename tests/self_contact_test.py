@@ -239,9 +239,11 @@ def test_ring(runs):
               == printed.split("moment")[0], f"crushed: {n_ranks} ranks print the same")
         worst = nodal_differences(runs.directory / "crushed", runs.directory / f"crushed-{n_ranks}", 2)
         check(max(worst) < 1e-8, f"crushed: all nodes are the same on {n_ranks} ranks (by {max(worst):.1e})")
-    runs.run("cycle", case="ring.prm")
-    work = [abs(float(row["external_work"])) for row in rows_of(runs.directory / "cycle/statistics.csv")]
-    check(work[-1] < 1e-8 * max(work), f"cycle: no work is left of {max(work):.3g}: {work[-1]:.1e}")
+    # back to the second step: at t = 2 the plates only just touch, and whether they do is a matter of roundoff
+    runs.run("cycle", case="ring.prm", options=["Load stepping/End time=1.95"])
+    work = [float(row["external_work"]) for row in rows_of(runs.directory / "cycle/statistics.csv")]
+    left = abs(work[-1] - work[1])
+    check(left < 1e-8 * max(work), f"cycle: no work is left of {max(work):.3g}: {left:.1e}")
 
 
 def test_strip(runs, dimension):
