@@ -249,8 +249,8 @@ def test_refused(runs):
         refused(damage, "half-2", ["damaged", file, f"half-2/{other}"])
     description = runs.directory / f"half-2/{latest}/description"
     text = description.read_text()
-    description.write_text(text.replace("stickslip checkpoint 5", "stickslip checkpoint 4", 1))
-    refused("an older format", "half-2", ["another version", "format is 4", "reads format 5"])
+    description.write_text(text.replace("stickslip checkpoint 6", "stickslip checkpoint 5", 1))
+    refused("an older format", "half-2", ["another version", "format is 5", "reads format 6"])
     description.write_text(text)
     (runs.directory / file).write_bytes(data)
     (runs.directory / file).unlink()

@@ -25,6 +25,23 @@ def point(name, body, *position):
 """
 
 
+def solution(points):
+    """The sections at the end of a case: steps as exact as roundoff lets them be, all of them in checkpoints."""
+    return f"""subsection Algorithm
+  subsection Newton
+    set Equilibrium tolerance = 1e-11
+  end
+end
+subsection Output
+  set Verbosity = results
+  set Every n steps = 1000
+  set Checkpoint every n steps = 1
+  subsection Points
+{points}  end
+end
+"""
+
+
 def ring_points():
     """Inner nodes at mirror places: a right, b left of the middle."""
     text = ""
@@ -103,19 +120,7 @@ subsection Load stepping
   set Maximum step = 0.025
   set End time = 2
 end
-subsection Algorithm
-  subsection Newton
-    set Equilibrium tolerance = 1e-11
-  end
-end
-subsection Output
-  set Verbosity = results
-  set Every n steps = 1000
-  set Checkpoint every n steps = 1
-  subsection Points
-""" + ring_points() + """  end
-end
-"""
+""" + solution(ring_points())
 
 
 def strip(dimension):
@@ -170,19 +175,7 @@ subsection Load stepping
   set Maximum step = 0.1
   set End time = 1.5
 end
-subsection Algorithm
-  subsection Newton
-    set Equilibrium tolerance = 1e-11
-  end
-end
-subsection Output
-  set Verbosity = results
-  set Every n steps = 1000
-  set Checkpoint every n steps = 1
-  subsection Points
-{point("A", "strip", *((0, 0.5, 0) if is_3d else (0, 0.5)))}  end
-end
-"""
+""" + solution(point("A", "strip", *((0, 0.5, 0) if is_3d else (0, 0.5))))
 
 
 def parts(slave, master):

@@ -2,6 +2,7 @@
 
 #include <stickslip/adaptivity/contact_samples.h>
 
+#include <stickslip/contact/pairing/face_boxes.h>
 #include <stickslip/contact/results/contact_results.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -142,22 +143,6 @@ namespace stickslip
 
 
 
-    /// All places within @p reach of @p box, in every direction.
-    template <int dim>
-    BoundingBox<dim>
-    extended(const BoundingBox<dim> &box, const double reach)
-    {
-      auto corners = box.get_boundary_points();
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          corners.first[d] -= reach;
-          corners.second[d] += reach;
-        }
-      return BoundingBox<dim>(corners);
-    }
-
-
-
     template <int dim>
     double
     distance_between(const BoundingBox<dim> &box, const Point<dim> &p)
@@ -224,7 +209,7 @@ namespace stickslip
         std::vector<Point<dim>>(positions.begin(), positions.end()));
       const double            reach = std::max(distance, 0.1 * face.diameter);
       std::vector<Point<dim>> near;
-      tree.query(boost::geometry::index::intersects(extended(box, reach)),
+      tree.query(boost::geometry::index::intersects(enlarged(box, reach)),
                  std::back_inserter(near));
       for (const Point<dim> &edge : near)
         if (distance_between(box, edge) <= reach)

@@ -161,9 +161,10 @@ namespace stickslip
       {
         mesh.later_refinement =
           "Adaptation/Estimator = " + adaptation.estimator;
-        physics.emplace_back("Adaptation/Estimator", adaptation.estimator);
-        physics.emplace_back("Adaptation/Distance",
-                             std::to_string(adaptation.distance));
+        prm.enter_subsection("Adaptation");
+        for (const std::string name : {"Estimator", "Distance"})
+          physics.emplace_back("Adaptation/" + name, prm.get(name));
+        prm.leave_subsection();
       }
     const DeclaredSection all = declared_parameters(prm);
     if (axisymmetric)

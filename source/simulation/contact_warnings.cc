@@ -26,20 +26,6 @@ namespace stickslip
             return "";
         }
     }
-
-
-
-    /// True if slave and master have a boundary in common.
-    bool
-    meets_itself(const ContactPairParameters &pair)
-    {
-      return pair.slave_body == pair.master_body &&
-             std::find_first_of(pair.slave_boundary.begin(),
-                                pair.slave_boundary.end(),
-                                pair.master_boundary.begin(),
-                                pair.master_boundary.end()) !=
-               pair.slave_boundary.end();
-    }
   } // namespace
 
 
@@ -54,7 +40,8 @@ namespace stickslip
     for (const auto &[name, pair] : pairs)
       {
         names.push_back(name);
-        may_be_far.push_back(pair.is_automatic || meets_itself(pair));
+        may_be_far.push_back(pair.is_automatic ||
+                             pair.slave_body == pair.master_body);
         const std::string path = "'Contact/" + name;
         const auto        master =
           std::find_if(bodies.begin(),

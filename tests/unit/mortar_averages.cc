@@ -1,20 +1,24 @@
 // Averaged gaps of slave faces that have a master opposite over a part s of
 // their length only. Averages of a gap that the slave's shape functions can
 // have are its values at the nodes, however small s is; but the sum of what
-// they are weighted with, without signs, over that with signs, grows. It is
-// known: for the far end of a linear face about 3/s, for nodes of a quadratic
-// one 8.3 and 59 (s = 0.36), 25 and 141 (s = 0.25), and at the far end negative
-// below s = 0.75. Nodes with more than 20, or less than a hundredth of their
-// area, have no partner.
+// they are weighted with, without signs, over that with signs, grows: the
+// spread of the dual functions, which is printed (negative: so is their
+// integral). Nodes with a spread of more than 20, or less than a hundredth of
+// their area, have no partner.
 
 #include "case_problem.h"
 #include "print.h"
+
+#include <stickslip/contact/pairing/mortar_integrals.h>
+
+#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -85,6 +89,43 @@ namespace
     return partner + (error < 1e-12 ? "; gaps are those of the nodes"
                                     : "; gaps are WRONG");
   }
+
+
+
+  /// The spread at all nodes of an edge whose first part @p s has a master.
+  std::string
+  spread(const unsigned int degree, const double s)
+  {
+    const FaceShape<2>    shape(degree);
+    const QIterated<1>    fine(QGauss<1>(2), 500); // for absolute values
+    std::vector<Point<1>> places;
+    std::vector<double>   areas;
+    for (unsigned int q = 0; q < fine.size(); ++q)
+      {
+        places.push_back(s * fine.point(q));
+        areas.push_back(s * fine.weight(q));
+      }
+    MissingNodes none;
+    none.is_missing.assign(shape.n_nodes(), false);
+    const auto psi = weighting_functions<2>(
+      WeightingFunctions::dual, shape, none, Quadrature<1>(places), areas);
+    std::ostringstream  text;
+    std::vector<double> L;
+    text << std::setprecision(3);
+    for (unsigned int l = 0; l < shape.n_nodes(); ++l)
+      {
+        double sum = 0., without_signs = 0.;
+        for (unsigned int q = 0; q < places.size(); ++q)
+          {
+            shape.evaluate_values(places[q], L);
+            const double value = areas[q] * combination(psi, l, L);
+            sum += value;
+            without_signs += std::abs(value);
+          }
+        text << ' ' << without_signs / sum;
+      }
+    return text.str();
+  }
 } // namespace
 
 int
@@ -97,6 +138,7 @@ main(int argc, char *argv[])
         CaseProblem<2>     model(prm_of(degree, s));
         std::ostringstream title;
         title << "degree " << degree << ", s = " << s << ": partners at ";
-        print(title.str() + averages_of(model));
+        print(title.str() + averages_of(model) + "; spread" +
+              spread(degree, s));
       }
 }

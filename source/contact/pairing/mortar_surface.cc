@@ -139,7 +139,8 @@ namespace stickslip
         known.back().may_be_master = true;
       }
     const bool changed = sides.choose(known, opposite, communicator);
-    take_sides();
+    if (changed)
+      take_sides();
     return changed;
   }
 

@@ -36,6 +36,7 @@ namespace stickslip
       explicit TwoKinds(const unsigned int n)
         : parents(n)
         , differs(n, false)
+        , sizes(n, 1)
       {
         std::iota(parents.begin(), parents.end(), 0);
       }
@@ -61,24 +62,17 @@ namespace stickslip
           return;
         const bool         between = (differs_a != differs_b) != differ;
         const unsigned int larger =
-          sizes(first_a) < sizes(first_b) ? first_b : first_a;
+          sizes[first_a] < sizes[first_b] ? first_b : first_a;
         const unsigned int other = larger == first_a ? first_b : first_a;
         parents[other]           = larger;
         differs[other]           = between;
-        n_others[larger] += n_others[other] + 1;
+        sizes[larger] += sizes[other];
       }
 
     private:
-      std::vector<unsigned int>            parents;
-      std::vector<bool>                    differs; ///< from the parent
-      std::map<unsigned int, unsigned int> n_others;
-
-      unsigned int
-      sizes(const unsigned int first) const
-      {
-        const auto found = n_others.find(first);
-        return found == n_others.end() ? 0 : found->second;
-      }
+      std::vector<unsigned int> parents;
+      std::vector<bool>         differs; ///< from the parent
+      std::vector<unsigned int> sizes;   ///< of the sets, by their first
     };
 
 
