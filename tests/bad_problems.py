@@ -41,6 +41,9 @@ CASES = {
         "plate.prm", pair("Slave boundary = 1, 2", "Master body = plate", "Master boundary = 2", "Quadrature = segments",
                           "Initial gaps = closed", "Initial gap tolerance = 0.1"),
         WRONG_INPUT, ["Contact/base/Initial gaps = closed", "share a boundary of body 'plate'", "'as meshed'"]),
+    "automatic self contact without automatic contact": (
+        "plate.prm", section("Contact", "Automatic self contact = true"),
+        WRONG_INPUT, ["Contact/Automatic self contact = true", "'Automatic = false'"]),
     "negative Poisson's ratio": (
         "plate.prm", "subsection Materials\n subsection steel\n set Poisson's ratio = -1.2\n end\nend",
         WRONG_INPUT, ["Poisson's ratio", "-1.2", "greater than -1 and less than 0.5"]),

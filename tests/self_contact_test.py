@@ -256,11 +256,28 @@ def test_strip(runs, dimension):
     check(max(worst) < 1e-8, f"{name}: a restart on other ranks goes on the same (by {max(worst):.1e})")
 
 
+def test_automatic(runs):
+    """The pair that the program finds, of all free boundaries with themselves, like the one of the two sides that meet."""
+    before, section, after = strip(2).partition("subsection Contact\n")
+    after = after[after.index("subsection Load stepping"):]
+    (runs.directory / "automatic.prm").write_text(before + section + """  set Automatic = true
+  set Automatic self contact = true
+  set Automatic friction coefficient = 1
+end
+""" + after)
+    runs.run("automatic", case="automatic.prm")
+    closed = last_row(runs.directory / "automatic", "resultants.csv")["strip_on_itself.closed_points"]
+    check(closed > 0, f"automatic: {closed:.0f} closed points")
+    worst = nodal_differences(runs.directory / "strip-2", runs.directory / "automatic", 2)
+    check(max(worst) < 1e-8, f"automatic: like the pair of the sides (by {worst[0]:.1e}, contact forces by {worst[1]:.1e})")
+
+
 def main():
     runs = Runs(sys.argv[1], pathlib.Path(sys.argv[2]))
     (runs.directory / "ring.prm").write_text(RING)
     test_strip(runs, 2)
     test_strip(runs, 3)
+    test_automatic(runs)
     test_ring(runs)
     print(f"{len(failures)} failed")
     sys.exit(1 if failures else 0)

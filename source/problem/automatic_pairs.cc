@@ -8,6 +8,7 @@
 #include <cctype>
 #include <limits>
 #include <sstream>
+#include <tuple>
 
 namespace stickslip
 {
@@ -173,7 +174,9 @@ namespace stickslip
                const std::string                      &b)
     {
       return std::any_of(pairs.begin(), pairs.end(), [&](const auto &pair) {
-        return a != b && pair.second.involves(a) && pair.second.involves(b);
+        const auto &[slave, master] =
+          std::tie(pair.second.slave_body, pair.second.master_body);
+        return (slave == a && master == b) || (slave == b && master == a);
       });
     }
 
@@ -259,6 +262,19 @@ namespace stickslip
             "automatic contact: '" + pair.slave_body + "' is slave of '" +
             pair.master_body + "', " + roles.reason + "; pair '" + name + "'");
         }
+    if (parameters.self_contact)
+      for (unsigned int b = 0; b < bodies.n_bodies(); ++b)
+        {
+          const std::string &body  = bodies.bodies[b].name;
+          const auto         slave = of_body(b, true);
+          if (slave.empty() || are_paired(explicit_pairs, body, body))
+            continue;
+          const std::string name = as_word(body + "_on_itself");
+          result.pairs.emplace_back(
+            name, pair_of<dim>(bodies, parameters, slave, of_body(b, false)));
+          result.reasons.push_back("automatic contact: '" + body +
+                                   "' may meet itself; pair '" + name + "'");
+        }
     for (unsigned int p = 0; p < result.pairs.size(); ++p)
       for (const auto &other : explicit_pairs)
         if (result.pairs[p].first == other.first)
@@ -268,7 +284,8 @@ namespace stickslip
     if (result.pairs.empty() && explicit_pairs.empty())
       throw UserError(
         "'Contact/Automatic = true', but no two bodies have free "
-        "boundaries that could touch, of which one can deform.");
+        "boundaries that could touch, of which one can deform. For one "
+        "body that meets itself: 'Contact/Automatic self contact = true'.");
     return result;
   }
 

@@ -36,6 +36,9 @@ namespace stickslip
    * 3. the softer body is slave;
    * 4. the one with the finer mesh is slave.
    *
+   * With AutomaticContact::self_contact also one for each body that can deform
+   * and that no explicit pair pairs with itself.
+   *
    * The same on all ranks, and on any number of them. Throws UserError if there
    * is nothing to pair. Collective.
    */

@@ -21,6 +21,12 @@ namespace stickslip
                       "With 'Automatic': Coulomb's mu of these pairs. 0: no "
                       "friction.",
                       Patterns::Double(0.));
+    prm.add_parameter(
+      "Automatic self contact",
+      self_contact,
+      "With 'Automatic': each body that can deform gets a pair with itself, "
+      "too, called <body>_on_itself, for what folds, buckles or closes a gap "
+      "of its own. Not with an adaptive mesh.");
   }
 
 
@@ -31,6 +37,11 @@ namespace stickslip
     if (!active && friction_coefficient > 0.)
       throw UserError("'" + path +
                       "/Automatic friction coefficient' is given, but "
+                      "'Automatic = false'. Set 'Automatic = true' or remove "
+                      "it.");
+    if (!active && self_contact)
+      throw UserError("'" + path +
+                      "/Automatic self contact = true' is given, but "
                       "'Automatic = false'. Set 'Automatic = true' or remove "
                       "it.");
   }

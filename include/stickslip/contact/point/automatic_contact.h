@@ -16,7 +16,8 @@ namespace stickslip
   struct AutomaticContact
   {
     bool   active               = false;
-    double friction_coefficient = 0.; ///< Coulomb's mu; 0: no friction
+    double friction_coefficient = 0.;    ///< Coulomb's mu; 0: no friction
+    bool   self_contact         = false; ///< of each body with itself
 
     void
     add_parameters(ParameterHandler &prm);
