@@ -173,8 +173,8 @@ def read_checkpoint(directory):
     return cells
 
 
-def differences_of_checkpoints(a, b, n_nodes=4):
-    """What differs between the states at the end; a cell has N_NODES nodes."""
+def differences_of_checkpoints(a, b, n_nodes=4, only_nodal=False):
+    """What differs between the states at the end; a cell has N_NODES nodes. ONLY_NODAL: of displacements and forces."""
     a, b = read_checkpoint(a), read_checkpoint(b)
     if a.keys() != b.keys() or any(len(a[cell]) != len(b[cell]) for cell in a):
         return ["the cells"]
@@ -188,10 +188,10 @@ def differences_of_checkpoints(a, b, n_nodes=4):
         largest = max(value for (_, i), value in scale.items() if i < n_nodal and i % 4 == kind)
         scale.update({key: largest for key in scale if key[1] < n_nodal and key[1] % 4 == kind})
     return [f"number {i} of cell {cell}: {p!r}, {q!r}" for cell in a for i, (p, q) in enumerate(zip(a[cell], b[cell]))
-            if not abs(p - q) <= TOLERANCE * scale[len(a[cell]), i]]
+            if (i < n_nodal or not only_nodal) and not abs(p - q) <= TOLERANCE * scale[len(a[cell]), i]]
 
 
-def compare(runs, name, reference="uninterrupted", n_nodes=4):
+def compare(runs, name, reference="uninterrupted", n_nodes=4, only_nodal=False):
     paths = runs.directory / reference, runs.directory / name
-    differences = differences_of_tables(*paths) + differences_of_checkpoints(*paths, n_nodes)
+    differences = differences_of_tables(*paths) + differences_of_checkpoints(*paths, n_nodes, only_nodal)
     check(not differences, f"{name} is like {reference}" + "".join("\n    " + d for d in differences[:10]))

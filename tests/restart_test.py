@@ -82,6 +82,23 @@ def test_reference_points(runs):
         check(not differences, f"{name} has the tables of driven {differences[:3]}")
 
 
+def test_axisymmetric(runs):
+    """Bodies of revolution: a ring is pressed on a disc, widened and let go, with friction; another one is in plastic flow."""
+    options = ["Axisymmetric=true", "Load stepping/Minimum step=0.01", "Load stepping/Requested times=3",
+               "Boundary conditions/drag/Value=0.1*max(t-1, 0) - 0.2*max(t-4, 0); -0.02*min(t, 1)"]
+    printed = runs.run("revolution", 1, options=options)
+    row = rows_of(runs.directory / "revolution/statistics.csv")[-1]
+    check(float(row["friction_work"]) > 0, f"the ring slips: friction dissipates {row['friction_work']}")
+    for n_ranks, other in [(2, 1), (1, 2)]:
+        name = f"revolution-{n_ranks}-{other}"
+        runs.run(name, n_ranks, options=options + SHORT)
+        check(runs.run(name, other, "latest", options) == printed, f"{name} prints the same")
+        # slip of points that stick is roundoff, and nothing there says of what size
+        compare(runs, name, "revolution", only_nodal=True)
+    text = runs.run("revolution-plane", 1, "revolution-2-1", exit_code=1)
+    check("of another case" in text and "axisymmetric" in text, f"a plane case cannot go on from bodies of revolution: {text.strip()[:200]}")
+
+
 def test_adapted(runs):
     """Meshes that are adapted before and after the interruption, with friction; the same cells on all numbers of ranks."""
     options = ["Adaptation/Estimator=Kelly", "Adaptation/Most levels=2", "Adaptation/Error target=0.15"]
@@ -262,7 +279,7 @@ def test_refused(runs):
 
 def main():
     runs = Runs(sys.argv[1], pathlib.Path(sys.argv[2]))
-    for test in (test_partitions, test_simplices, test_ties, test_reference_points, test_adapted, test_path_dependence, test_algorithms, test_fallback, test_cuts_and_growth,
+    for test in (test_partitions, test_simplices, test_ties, test_reference_points, test_axisymmetric, test_adapted, test_path_dependence, test_algorithms, test_fallback, test_cuts_and_growth,
                  test_failed_run, test_directory, test_refused):
         test(runs)
     print(f"{len(failures)} comparisons failed")

@@ -173,7 +173,10 @@ namespace stickslip
                                const std::string &value) {
       result.properties.emplace_back(name, value);
     };
-    add("dimension", std::to_string(dim));
+    add("dimension",
+        std::to_string(dim) + (problem.bodies().cross_section.is_axisymmetric
+                                 ? ", axisymmetric"
+                                 : ""));
     add("degree", std::to_string(layout.fe.degree));
     add("cells",
         std::to_string(
