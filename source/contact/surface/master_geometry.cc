@@ -105,13 +105,11 @@ namespace stickslip
 
   template <int dim>
   void
-  evaluate_master_point(const SurfaceFace<dim>         &face,
-                        const MasterConfiguration<dim> &configuration,
-                        const FaceShape<dim>           &shape,
-                        const Point<dim - 1>           &xi,
-                        MasterPoint<dim>               &point)
+  evaluate_curved_point(const std::vector<Tensor<1, dim>> &positions,
+                        const unsigned int                 n_nodes,
+                        const double                       orientation,
+                        MasterPoint<dim>                  &point)
   {
-    shape.evaluate(xi, point.shape);
     point.x = Tensor<1, dim>();
     for (unsigned int d = 0; d < dim - 1; ++d)
       {
@@ -119,9 +117,9 @@ namespace stickslip
         for (unsigned int e = 0; e < dim - 1; ++e)
           point.x_ab[d][e] = Tensor<1, dim>();
       }
-    for (unsigned int j = 0; j < face.n_nodes; ++j)
+    for (unsigned int j = 0; j < n_nodes; ++j)
       {
-        const Tensor<1, dim> &x = configuration.positions[j];
+        const Tensor<1, dim> &x = positions[j];
         point.x += point.shape.value[j] * x;
         for (unsigned int d = 0; d < dim - 1; ++d)
           {
@@ -132,19 +130,33 @@ namespace stickslip
       }
     update_dual_tangents(point);
 
-    if (configuration.nodal_normals.empty())
+    const Tensor<1, dim> v = orientation * surface_normal<dim>(point.a);
+    point.n                = v / v.norm();
+    for (unsigned int e = 0; e < dim - 1; ++e)
       {
-        const Tensor<1, dim> v =
-          face.orientation * surface_normal<dim>(point.a);
-        point.n = v / v.norm();
-        for (unsigned int e = 0; e < dim - 1; ++e)
-          {
-            point.n_a[e] = Tensor<1, dim>();
-            for (unsigned int d = 0; d < dim - 1; ++d)
-              point.n_a[e] -= point.a_dual[d] * (point.n * point.x_ab[d][e]);
-          }
-        return;
+        point.n_a[e] = Tensor<1, dim>();
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          point.n_a[e] -= point.a_dual[d] * (point.n * point.x_ab[d][e]);
       }
+  }
+
+
+
+  template <int dim>
+  void
+  evaluate_master_point(const SurfaceFace<dim>         &face,
+                        const MasterConfiguration<dim> &configuration,
+                        const FaceShape<dim>           &shape,
+                        const Point<dim - 1>           &xi,
+                        MasterPoint<dim>               &point)
+  {
+    shape.evaluate(xi, point.shape);
+    evaluate_curved_point(configuration.positions,
+                          face.n_nodes,
+                          face.orientation,
+                          point);
+    if (configuration.nodal_normals.empty())
+      return;
 
     Tensor<1, dim>                      m;
     std::array<Tensor<1, dim>, dim - 1> m_a;
@@ -168,6 +180,10 @@ namespace stickslip
                                          const MasterConfiguration<dim> &, \
                                          const unsigned int,               \
                                          std::vector<Tensor<2, dim>> &);   \
+  template void evaluate_curved_point(const std::vector<Tensor<1, dim>> &, \
+                                      const unsigned int,                  \
+                                      const double,                        \
+                                      MasterPoint<dim> &);                 \
   template void evaluate_master_point(const SurfaceFace<dim> &,            \
                                       const MasterConfiguration<dim> &,    \
                                       const FaceShape<dim> &,              \

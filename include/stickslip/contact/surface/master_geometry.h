@@ -55,6 +55,18 @@ namespace stickslip
     double averaged_normal_length = 1.;         ///< |sum M_j n_j| if smoothed
   };
 
+  /**
+   * Fills @p point where its shape functions are known: those of the first
+   * @p n_nodes nodes, which are at @p positions. The normal is that of the
+   * surface, times @p orientation.
+   */
+  template <int dim>
+  void
+  evaluate_curved_point(const std::vector<Tensor<1, dim>> &positions,
+                        const unsigned int                 n_nodes,
+                        const double                       orientation,
+                        MasterPoint<dim>                  &point);
+
   template <int dim>
   void
   evaluate_master_point(const SurfaceFace<dim>         &face,
