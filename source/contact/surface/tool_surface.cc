@@ -45,7 +45,7 @@ namespace stickslip
                       "not be zero or along its axis.");
     const Tensor<1, 3> e    = first / first.norm();
     const Tensor<1, 3> side = cross_product_3d(axis, e);
-    if (sweep.kind == ToolSweep::Kind::extruded)
+    if (!is_revolved())
       frame = {{e, side, axis}};
     else
       {
@@ -65,6 +65,17 @@ namespace stickslip
     : profile(profile)
   {
     Assert(dim == 2, ExcMessage("3D tools need a sweep."));
+  }
+
+
+
+  template <int dim>
+  std::array<double, 2>
+  ToolSurface<dim>::across_range() const
+  {
+    if (is_revolved())
+      return {{0., 2. * numbers::PI}};
+    return {{sweep.from, sweep.to}};
   }
 
 
@@ -127,8 +138,7 @@ namespace stickslip
         const Tensor<1, 3>          r = x - sweep.origin;
         const std::array<double, 3> c = {
           {r * frame[0], r * frame[1], r * frame[2]}};
-        return sweep.kind == ToolSweep::Kind::extruded ? closest_extruded(c)
-                                                       : closest_revolved(c);
+        return is_revolved() ? closest_revolved(c) : closest_extruded(c);
       }
   }
 
@@ -145,7 +155,7 @@ namespace stickslip
         const auto   in_plane = profile.closest(Point<2>(c[0], c[1]));
         foot.found = in_plane.found && c[2] > sweep.from - roundoff &&
                      c[2] < sweep.to + roundoff;
-        foot.chart = charts_per_segment * in_plane.segment;
+        foot.chart = first_chart(in_plane.segment);
         foot.xi    = Point<2>(in_plane.s, c[2]);
       }
     return foot;
@@ -165,7 +175,7 @@ namespace stickslip
         const double at = profile.evaluate(in_plane.segment, in_plane.s).x[0];
         const double roundoff = surface_roundoff * profile.total_length();
         foot.found            = in_plane.found;
-        foot.chart            = charts_per_segment * in_plane.segment;
+        foot.chart            = first_chart(in_plane.segment);
         if (at < polar_radius(in_plane.segment))
           {
             // the foot of a point on the axis is the pole
@@ -205,7 +215,7 @@ namespace stickslip
       }
     else
       {
-        if (sweep.kind == ToolSweep::Kind::extruded)
+        if (!is_revolved())
           return evaluate_extruded(segment, xi);
         const unsigned int region = chart % charts_per_segment;
         return region == away_from_axis ? evaluate_revolved(segment, xi)

@@ -83,11 +83,29 @@ namespace stickslip
     Place
     evaluate(const unsigned int chart, const Point<dim - 1> &xi) const;
 
-    unsigned int
-    n_charts() const
+    const ToolProfile &
+    outline() const
     {
-      return charts_per_segment * profile.n_segments();
+      return profile;
     }
+
+    /// The chart of a segment of the outline whose coordinates are the arc
+    /// length and, in 3D, the height or the angle [radian].
+    static unsigned int
+    first_chart(const unsigned int segment)
+    {
+      return charts_per_segment * segment;
+    }
+
+    bool
+    is_revolved() const
+    {
+      return sweep.kind == ToolSweep::Kind::revolved;
+    }
+
+    /// Range of that second coordinate.
+    std::array<double, 2>
+    across_range() const;
 
   private:
     static constexpr unsigned int charts_per_segment = dim == 2 ? 1 : 3;
