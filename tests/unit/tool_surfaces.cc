@@ -373,6 +373,16 @@ namespace
     print("  none beyond it", !cylinder.closest({1.2, 0., 2.01}).found);
     print("  none before it", !cylinder.closest({1.2, 0., -1.01}).found);
     print("  none on its axis", !cylinder.closest({0., 0., 1.}).found);
+    // a groove around the axis
+    sweep.kind = ToolSweep::Kind::revolved;
+    const ToolSurface<3> groove(
+      ToolProfile::polyline({{{2., -2.}}, {{1., -1.}, 1.}, {{2., 0.}}},
+                            false,
+                            ""),
+      sweep,
+      "");
+    print("  none on the axis of a ring", !groove.closest({0., 0., -1.}).found);
+    print("  but beside it", groove.closest({1e-3, 0., -1.}).found);
   }
 
 

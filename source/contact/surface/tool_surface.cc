@@ -174,8 +174,9 @@ namespace stickslip
         const auto   in_plane = profile.closest(Point<2>(radius, c[1]));
         const double at = profile.evaluate(in_plane.segment, in_plane.s).x[0];
         const double roundoff = surface_roundoff * profile.total_length();
-        foot.found            = in_plane.found;
-        foot.chart            = first_chart(in_plane.segment);
+        // all around a point on the axis is as close, but for a pole
+        foot.found = in_plane.found && (radius > roundoff || at <= roundoff);
+        foot.chart = first_chart(in_plane.segment);
         if (at < polar_radius(in_plane.segment))
           {
             // the foot of a point on the axis is the pole
@@ -187,8 +188,6 @@ namespace stickslip
           }
         else
           {
-            // all around a point on the axis is as close
-            foot.found = foot.found && radius > roundoff;
             // c[2] is along axis x first, against which the angle is counted
             foot.xi = Point<2>(in_plane.s, std::atan2(c[2], c[0]));
           }
