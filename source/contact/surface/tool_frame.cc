@@ -18,7 +18,7 @@ namespace stickslip
     /// Edges of the simplex of the nodes, as columns.
     template <int dim, typename Position>
     Tensor<2, dim>
-    edges_of(const std::vector<Position> &nodes)
+    simplex_edges(const std::vector<Position> &nodes)
     {
       Tensor<2, dim> edges;
       for (unsigned int j = 0; j < dim; ++j)
@@ -36,7 +36,7 @@ namespace stickslip
     , weight_gradients(n_nodes)
   {
     AssertDimension(nodes.size(), n_nodes);
-    const Tensor<2, dim> inverse = invert(edges_of<dim>(nodes));
+    const Tensor<2, dim> inverse = invert(simplex_edges<dim>(nodes));
     first_weights[0]             = 1.;
     for (unsigned int j = 0; j < dim; ++j)
       {
