@@ -4,6 +4,10 @@
 
 #include <stickslip/adaptivity/state_transfer.h>
 
+#include <stickslip/contact/results/contact_results.h>
+
+#include <stickslip/output/contact_resultants.h>
+
 namespace stickslip
 {
   template <int dim>
@@ -32,6 +36,36 @@ namespace stickslip
       parameters, amplitudes, mesh, log, stop_requests);
     accepted = AcceptedState::zero(problem());
     x        = accepted.x;
+  }
+
+
+
+  template <int dim>
+  std::vector<bool>
+  RunState<dim>::closed_pairs() const
+  {
+    std::vector<bool> closed;
+    for (const auto &pair :
+         compute_contact_resultants(contact_results(problem().contact()),
+                                    parameters.contact_pairs.size(),
+                                    mesh.triangulation->get_communicator(),
+                                    mesh.bodies.cross_section))
+      closed.push_back(pair.n_closed() > 0);
+    return closed;
+  }
+
+
+
+  template <int dim>
+  void
+  RunState<dim>::begin_step(const double time)
+  {
+    step_solver().begin_step();
+    if (!parameters.load_stepping.locates_contact_changes)
+      return;
+    problem().begin_step(time, accepted.x);
+    problem().configure(accepted.x, true);
+    closed_before = closed_pairs();
   }
 
 

@@ -113,7 +113,7 @@ namespace stickslip
     control_of_accepted_state = step_control.state();
     stop_requests.check();
     step_control.begin_step();
-    state.step_solver().begin_step();
+    state.begin_step(steps().time());
     adaptation.begin_step();
   }
 
@@ -137,7 +137,7 @@ namespace stickslip
         cut_step(failure);
         return false;
       }
-    return !repeats_on_other_mesh();
+    return !goes_to_contact_change() && !repeats_on_other_mesh();
   }
 
 

@@ -105,6 +105,19 @@ namespace stickslip
       "Times that steps must hit exactly, for instance where the "
       "load changes its direction.",
       Patterns::List(Patterns::Double()));
+    prm.add_parameter(
+      "Locate contact changes",
+      locates_contact_changes,
+      "Steps end where a contact pair closes that was open, at its first "
+      "point, or opens altogether: a step with such a change is solved several "
+      "times, each with half of what is left of the doubt about its time, and "
+      "the next step is as large as without it.");
+    prm.add_parameter(
+      "Contact change tolerance",
+      contact_change_tolerance,
+      expert("With 'Locate contact changes': a step ends at most this fraction "
+             "of 'Initial step' after a change, never before it."),
+      Patterns::Double(1e-9, 1.));
     prm.enter_subsection("Stabilization");
     prm.add_parameter(
       "Factor",
@@ -196,7 +209,56 @@ namespace stickslip
 
 
   double
+  size_up_to_change(const ContactChangeSearch &search, const double tolerance)
+  {
+    if (search.with == 0.)
+      return search.without;
+    if (search.with - search.without <= tolerance)
+      return search.with;
+    return 0.5 * (search.with + search.without);
+  }
+
+
+
+  bool
+  LoadStepping::locate_contact_change(const bool contact_changes)
+  {
+    if (!parameters.locates_contact_changes || search_is_over)
+      return false;
+    const double size                                = present_size();
+    (contact_changes ? search.with : search.without) = size;
+    const double next                                = size_up_to_change(search,
+                                          parameters.contact_change_tolerance *
+                                            parameters.initial_step);
+    if (next == size)
+      return false;
+    // the whole step ends exactly where it would without a search
+    shortened_to = next < whole_next_time() - current_time ? next : 0.;
+    return true;
+  }
+
+
+
+  void
+  LoadStepping::forget_search()
+  {
+    search         = ContactChangeSearch();
+    shortened_to   = 0.;
+    search_is_over = false;
+  }
+
+
+
+  double
   LoadStepping::next_time() const
+  {
+    return shortened_to > 0. ? current_time + shortened_to : whole_next_time();
+  }
+
+
+
+  double
+  LoadStepping::whole_next_time() const
   {
     double target = parameters.end_time;
     for (const double requested : parameters.requested_times)
@@ -221,6 +283,7 @@ namespace stickslip
   LoadStepping::accept_step(const unsigned int newton_iterations)
   {
     current_time = next_time();
+    forget_search();
     ++n_accepted;
     if (has_grown)
       growth_delay.succeed();
@@ -244,8 +307,9 @@ namespace stickslip
   bool
   LoadStepping::can_be_cut() const
   {
-    return parameters.cut_factor * (next_time() - current_time) >=
-           parameters.minimum_step * (1. - same_time);
+    return shortened_to > 0. ||
+           parameters.cut_factor * (next_time() - current_time) >=
+             parameters.minimum_step * (1. - same_time);
   }
 
 
@@ -253,9 +317,16 @@ namespace stickslip
   bool
   LoadStepping::cut_step()
   {
+    if (shortened_to > 0.)
+      {
+        forget_search();
+        search_is_over = true;
+        return true;
+      }
     const bool is_large_enough = can_be_cut();
-    step                       = parameters.cut_factor * (next_time() - time());
-    has_grown                  = false;
+    forget_search();
+    step      = parameters.cut_factor * (next_time() - time());
+    has_grown = false;
     growth_delay.fail();
     return is_large_enough;
   }

@@ -259,6 +259,49 @@ namespace
     print("a run that continues takes the smallest step",
           continued.step_size() == 0.2);
   }
+
+
+
+  /// Steps of 0.4 to t = 1; contact changes at 0.3, and at 0.55 back.
+  void
+  test_contact_changes()
+  {
+    std::cout << "Steps that end where contact changes:\n";
+    LoadSteppingParameters parameters;
+    parameters.initial_step             = 0.4;
+    parameters.locates_contact_changes  = true;
+    parameters.contact_change_tolerance = 0.01;
+    const auto is_closed                = [](const double time) {
+      return time >= 0.3 && time < 0.55;
+    };
+    LoadStepping steps(parameters);
+    while (!steps.finished())
+      {
+        std::cout << "  from " << steps.time() << ":";
+        do
+          std::cout << ' ' << steps.next_time();
+        while (steps.locate_contact_change(is_closed(steps.next_time()) !=
+                                           is_closed(steps.time())));
+        steps.accept_step(50);
+        std::cout << '\n';
+      }
+    print("nothing known: any size", size_up_to_change({0.4, 0.}, 0.01) == 0.4);
+    print("a change somewhere: half",
+          size_up_to_change({0., 0.4}, 0.01) == 0.2);
+    print("near enough: the size with the change",
+          size_up_to_change({0.305, 0.31}, 0.01) == 0.31);
+
+    LoadStepping failing(parameters);
+    failing.locate_contact_change(true);
+    print("half a step", failing.next_time() == 0.2);
+    print("... that fails is no cut, but ends the search",
+          failing.can_be_cut() && failing.cut_step() &&
+            failing.next_time() == 0.4 && !failing.locate_contact_change(true));
+    parameters.locates_contact_changes = false;
+    LoadStepping off(parameters);
+    print("not asked for: no search",
+          !off.locate_contact_change(true) && off.next_time() == 0.4);
+  }
 } // namespace
 
 
@@ -271,4 +314,5 @@ main()
   test_growth();
   test_targets();
   test_minimum();
+  test_contact_changes();
 }

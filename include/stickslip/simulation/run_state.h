@@ -7,6 +7,7 @@
 #include <stickslip/simulation/discretization.h>
 
 #include <memory>
+#include <vector>
 
 namespace stickslip
 {
@@ -33,6 +34,19 @@ namespace stickslip
     step_solver() const
     {
       return discretization->step_solver;
+    }
+
+    /// A step begins at load time @p time.
+    void
+    begin_step(const double time);
+
+    /// Whether a contact pair is closed in the present iterate, which has just
+    /// been found, that was open in the accepted state, or the other way. Only
+    /// with 'Locate contact changes'.
+    bool
+    contact_changes() const
+    {
+      return closed_pairs() != closed_before;
     }
 
     /// Where a step of @p size may lead: goes on from the accepted state as in
@@ -86,6 +100,11 @@ namespace stickslip
     const StopRequests                  &stop_requests;
     std::unique_ptr<Discretization<dim>> discretization;
     bool                                 x_is_guess = false;
+    std::vector<bool> closed_before; ///< closed_pairs() of the accepted state
+
+    /// Whether a point is closed, by pair, in the state that the points know.
+    std::vector<bool>
+    closed_pairs() const;
   };
 } // namespace stickslip
 

@@ -111,6 +111,21 @@ namespace stickslip
     bool
     solve_step();
 
+    /// If contact is made or lost in the step that has been solved, and the
+    /// step has to end at another time for that, goes back to where it began:
+    /// returns true.
+    bool
+    goes_to_contact_change()
+    {
+      if (!parameters.load_stepping.locates_contact_changes ||
+          !step_control.locate_contact_change(state.contact_changes()))
+        return false;
+      log.note("contact is made or lost in this step: once more, to t = " +
+               std::to_string(steps().next_time()));
+      state.restore();
+      return true;
+    }
+
     /// Adapts the mesh to the accepted state if that is due.
     void
     adapt_after_step();

@@ -38,7 +38,9 @@ namespace stickslip
     unsigned int        easy_iterations = 12;
     Predictor           predictor       = Predictor::linear;
     std::vector<double> requested_times;
-    double              stabilization_factor = 0.;
+    double              stabilization_factor     = 0.;
+    bool                locates_contact_changes  = false;
+    double              contact_change_tolerance = 1e-3; ///< of initial_step
 
     void
     add_parameters(ParameterHandler &prm);
@@ -63,6 +65,25 @@ namespace stickslip
     unsigned int growth_delay_left = 0;
     bool         has_grown         = false; ///< after the last accepted step
   };
+
+
+
+  /// What is known of a step in which contact is first made or lost: its size
+  /// has been found too small or large enough for that.
+  struct ContactChangeSearch
+  {
+    double without = 0.; ///< largest size in which nothing changes
+    double with    = 0.; ///< smallest in which something does; 0: none
+  };
+
+  /**
+   * The size that a step should have to end where contact changes, as far as
+   * @p search knows: halves what is between its sizes until they differ by at
+   * most @p tolerance; then the larger one. Where nothing changes, the size
+   * without a change.
+   */
+  double
+  size_up_to_change(const ContactChangeSearch &search, const double tolerance);
 
 
 
@@ -91,13 +112,23 @@ namespace stickslip
     void
     accept_step(const unsigned int newton_iterations);
 
+    /**
+     * The step to next_time() was solved, and contact has been made or lost in
+     * it if @p contact_changes. True if the step is to be solved once more,
+     * to what next_time() is now: changes are to be located, and this one is
+     * not yet at its end.
+     */
+    bool
+    locate_contact_change(const bool contact_changes);
+
     /// What a cut would leave of the step to next_time() is not below the
-    /// minimum.
+    /// minimum, or the step was shortened because contact changes in it.
     bool
     can_be_cut() const;
 
-    /// The step to next_time() has failed: makes it smaller. Returns what
-    /// can_be_cut() said before.
+    /// The step to next_time() has failed: makes it smaller, or as large as it
+    /// was before a change of contact was looked for, which is given up.
+    /// Returns what can_be_cut() said before.
     bool
     cut_step();
 
@@ -142,6 +173,26 @@ namespace stickslip
     unsigned int                 n_accepted = 0;
     BackOff                      growth_delay; ///< in easy steps in a row
     bool                         has_grown = false;
+
+    // of the present step
+    ContactChangeSearch search;
+    double              shortened_to   = 0.; ///< 0: not shortened
+    bool                search_is_over = false;
+
+    /// As if there were no change of contact.
+    double
+    whole_next_time() const;
+
+    /// Of the present step, to next_time().
+    double
+    present_size() const
+    {
+      return shortened_to > 0. ? shortened_to
+                               : whole_next_time() - current_time;
+    }
+
+    void
+    forget_search();
   };
 } // namespace stickslip
 

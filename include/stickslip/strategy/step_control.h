@@ -110,6 +110,13 @@ namespace stickslip
                  const FailureCause cause,
                  const RetryEffect &effect) const;
 
+    /// See LoadStepping::locate_contact_change().
+    bool
+    locate_contact_change(const bool contact_changes)
+    {
+      return load_stepping.locate_contact_change(contact_changes);
+    }
+
     /// All attempts have failed. False if the next step would be below the
     /// minimum: the run has to end.
     bool
