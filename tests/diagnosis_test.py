@@ -128,6 +128,23 @@ for name, (cause, place, advice, overrides) in FAILING.items():
                  "diagnosis-0001.csv"):
         check(f"{name}: --diagnose does not say '{text}' but\n{summary}", text in summary)
 
+# The stiffness of the bodies alone is singular: refused before the first step, and not if all of them are held.
+GCP = {"Algorithm/Name": "GCP"}
+for name, overrides in {"pressed by a force": {HAND + "Type": "traction", HAND + "Value": "0; -1*t"},
+                        "driven by contact": {HAND + "Value": "free; -0.01*t", "Boundary conditions/foundation/Value": "0.1*t; 0"}}.items():
+    result = run("unheld", {**GCP, **overrides})
+    check(f"{name}: exit code {result.returncode}, {result.stderr}", result.returncode == 1 and result.stderr.count("wrong input") == 1
+          and all(text in result.stderr for text in ("'Algorithm/Name = GCP'", "body 'upper': translation along x", "automatic")))
+result = run("held", {**GCP, HAND + "Value": "0; -0.01*t"})
+check(f"held without contact: exit code {result.returncode}, {result.stderr}", result.returncode == 0)
+
+# Held, but by soft springs: one failed solve says so. One rank: on several, a thousand small solves with factors take long.
+result = run("springs", {**GCP, HAND + "Type": "spring", HAND + "Value": "", HAND + "Stiffness": "1e-6",
+                         "Boundary conditions/foundation/Value": "0.1*t; 0.1*t"})
+check(f"held by springs: exit code {result.returncode}", result.returncode == 2)
+for text in ("Cause: body held by contact and springs", "body 'upper': translation along x", "'Algorithm/Name = automatic'"):
+    check(f"held by springs: '{text}' is not in\n{result.stderr}", text in result.stderr)
+
 # A history has a letter per iteration.
 run("history", {"Algorithm/Newton/Max iterations": "3", "Algorithm/Newton/Equilibrium tolerance": "0"})
 rows = rows_of("history/diagnosis-0001.csv")

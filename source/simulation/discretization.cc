@@ -2,6 +2,13 @@
 
 #include <stickslip/base/user_error.h>
 
+#include <stickslip/solid/rigid_body_check.h>
+
+#include <stickslip/strategy/solution_strategy.h>
+
+#include <string>
+#include <vector>
+
 namespace stickslip
 {
   namespace
@@ -20,6 +27,27 @@ namespace stickslip
             pair->name +
             "' share a boundary: the mesh of a surface that meets itself "
             "cannot be adapted. Take section 'Refinement'.");
+    }
+
+
+
+    /// With an algorithm that solves with the stiffness of the bodies alone.
+    void
+    check_contact_need_not_hold(const Algorithm                algorithm,
+                                const std::vector<FreeMotion> &motions)
+    {
+      if (motions.empty())
+        return;
+      std::string text = "'Algorithm/Name = " + name_of(algorithm) +
+                         "' needs bodies that are held without contact, but "
+                         "nothing else holds or drives these rigid body "
+                         "motions:";
+      for (const FreeMotion &motion : motions)
+        text += "\n  " + motion.text();
+      throw UserError(text +
+                      "\nTake another algorithm, such as automatic, or "
+                      "add a condition in section 'Boundary "
+                      "conditions'.");
     }
   } // namespace
 
@@ -45,6 +73,9 @@ namespace stickslip
       parameters.load_stepping.stabilization_factor,
       parameters.load_stepping.end_time);
     problem.check_bodies_are_held();
+    if (needs_held_bodies(parameters.algorithm.name))
+      check_contact_need_not_hold(parameters.algorithm.name,
+                                  problem.free_motions());
     if (parameters.adaptation.is_active())
       check_pairs_can_be_transferred(problem.contact());
   }

@@ -181,6 +181,28 @@ namespace stickslip
 
 
 
+    /// Contact forces that the stiffness of the bodies alone has to tell.
+    template <int dim>
+    std::optional<FailureExplanation>
+    body_on_springs(const FailedStep<dim> &step)
+    {
+      if (step.failure.cause != FailureCause::linear_solver ||
+          step.held_by_springs.empty())
+        return {};
+      return FailureExplanation{
+        "body held by contact and springs",
+        step.failure.reason +
+          ": the algorithm looks for the contact forces "
+          "with the stiffness of the bodies alone, and "
+          "beside contact only soft springs hold this "
+          "motion.",
+        step.held_by_springs.front().text() + ".",
+        "another algorithm ('Algorithm/Name = automatic'); stiffer springs, or "
+        "prescribe the displacement."};
+    }
+
+
+
     /// 'Algorithm/Geometry/Max iterations', for example.
     std::string
     limit_of_loop(const std::string &loop)
@@ -304,6 +326,8 @@ namespace stickslip
       return rejected_state(step.failure);
     if (step.failure.cause == FailureCause::singular)
       return explain_singular_matrix(step, communicator);
+    if (const auto explanation = body_on_springs(step))
+      return *explanation;
     for (const auto &look_for :
          {&cycle<dim>, &hopping<dim>, &lost_contact<dim>})
       if (const auto explanation = look_for(step, communicator))

@@ -4,7 +4,10 @@
 
 #include <stickslip/output/diagnosis_output.h>
 
+#include <stickslip/strategy/solution_strategy.h>
+
 #include <sstream>
+#include <vector>
 
 namespace stickslip
 {
@@ -54,15 +57,19 @@ namespace stickslip
     report.contact   = describe_contact(problem.contact());
     report.diagnosis = write_diagnosis(
       parameters.output.directory, step, points, pair_names, communicator);
-    report.explanation = explain_failure<dim>({failure,
-                                               iterations,
-                                               parameters.algorithm.newton,
-                                               statuses.cycle(),
-                                               points,
-                                               parameters.contact_pairs,
-                                               problem.free_motions(),
-                                               problem.weakly_held_motions()},
-                                              communicator);
+    const bool needs_supports = needs_held_bodies(parameters.algorithm.name);
+    report.explanation =
+      explain_failure<dim>({failure,
+                            iterations,
+                            parameters.algorithm.newton,
+                            statuses.cycle(),
+                            points,
+                            parameters.contact_pairs,
+                            problem.free_motions(),
+                            problem.weakly_held_motions(),
+                            needs_supports ? problem.motions_held_by_springs()
+                                           : std::vector<FreeMotion>()},
+                           communicator);
     return report;
   }
 

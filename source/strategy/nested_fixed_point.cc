@@ -101,6 +101,7 @@ namespace stickslip
     catch (const NoConvergence &failure)
       {
         if (failure.cause == FailureCause::budget ||
+            failure.cause == FailureCause::linear_solver ||
             ++n_failures > loops[level].n_failures_outlived)
           throw;
         return failure;

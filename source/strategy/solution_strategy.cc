@@ -299,12 +299,31 @@ namespace stickslip
 
 
 
+  namespace
+  {
+    bool
+    solves_for_multipliers(const Algorithm algorithm)
+    {
+      return algorithm != Algorithm::automatic &&
+             strategy_of(algorithm, AlgorithmParameters()).increment_solver ==
+               IncrementSolver::projected_conjugate_gradient;
+    }
+  } // namespace
+
+
+
   bool
   needs_law_per_multiplier(const Algorithm algorithm)
   {
-    return algorithm != Algorithm::automatic &&
-           strategy_of(algorithm, AlgorithmParameters()).increment_solver ==
-             IncrementSolver::projected_conjugate_gradient;
+    return solves_for_multipliers(algorithm);
+  }
+
+
+
+  bool
+  needs_held_bodies(const Algorithm algorithm)
+  {
+    return solves_for_multipliers(algorithm);
   }
 
 

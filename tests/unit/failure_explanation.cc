@@ -24,6 +24,7 @@ namespace
     NamedList<ContactPairParameters> pairs;
     std::vector<FreeMotion>          free_motions;
     std::vector<FreeMotion>          weakly_held;
+    std::vector<FreeMotion>          held_by_springs;
 
     Traces()
       : pairs(2)
@@ -101,7 +102,8 @@ namespace
                                                              traces.points,
                                                              traces.pairs,
                                                              traces.free_motions,
-                                                             traces.weakly_held},
+                                                             traces.weakly_held,
+                                                             traces.held_by_springs},
                                                 MPI_COMM_WORLD);
     if (Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       std::cout << title << " -> " << explanation.name << '\n'
@@ -145,6 +147,12 @@ namespace
     explain("free master that sticks", singular);
     singular.weakly_held = {{"brick", "rotation about z"}};
     explain("weakly held body", singular);
+
+    Traces dual;
+    dual.cause           = FailureCause::linear_solver;
+    dual.reason          = "no convergence in 2000 iterations";
+    dual.held_by_springs = {{"shoe", "translation along x"}};
+    explain("a body that contact and springs hold", dual);
   }
 
 

@@ -27,6 +27,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -261,6 +262,15 @@ namespace stickslip
                                             mesh.bodies,
                                             dofs,
                                             softest_spring);
+    }
+
+    std::vector<FreeMotion>
+    motions_held_by_springs() const
+    {
+      return stickslip::weakly_held_motions(boundary_conditions,
+                                            mesh.bodies,
+                                            dofs,
+                                            std::numeric_limits<double>::max());
     }
 
     void

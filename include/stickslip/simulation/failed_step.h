@@ -30,6 +30,9 @@ namespace stickslip
     const NamedList<ContactPairParameters> &pairs;
     std::vector<FreeMotion> free_motions; ///< that contact alone can prevent
     std::vector<FreeMotion> weakly_held;  ///< by springs below roundoff
+
+    /// Beside contact, with an algorithm that needs bodies held without it.
+    std::vector<FreeMotion> held_by_springs;
   };
 
 

@@ -150,6 +150,11 @@ namespace stickslip
   bool
   needs_law_per_multiplier(const Algorithm algorithm);
 
+  /// True if @p algorithm solves with the stiffness of the bodies alone, so that
+  /// they have to be held without contact.
+  bool
+  needs_held_bodies(const Algorithm algorithm);
+
 
 
   // Advice to a user, as entries of a .prm.
