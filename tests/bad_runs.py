@@ -6,6 +6,8 @@ CASES = {
     # ------------------------------------------------------------- load stepping, algorithm, solver, output
     "a time that ends before it begins": ("plate.prm", section("Load stepping", "End time = -1"), WRONG_INPUT, ["Load stepping/End time", "larger than 0"]),
     "a step of zero": ("plate.prm", section("Load stepping", "Initial step = 0"), WRONG_INPUT, ["Load stepping/Initial step", "larger than 0"]),
+    "a tolerance of contact changes of zero": (
+        "plate.prm", section("Load stepping", "Contact change tolerance = 0"), WRONG_INPUT, ["Contact change tolerance", "'0'", "1e-09"]),
     "a minimum above the step": (
         "plate.prm", section("Load stepping", "Initial step = 0.1", "Minimum step = 0.2"), WRONG_INPUT, ["Load stepping/Minimum step", "Initial step"]),
     "a requested time after the end": ("plate.prm", section("Load stepping", "Requested times = 2"), WRONG_INPUT, ["Load stepping/Requested times"]),
