@@ -269,6 +269,9 @@ end
     closed = last_row(runs.directory / "automatic", "resultants.csv")["strip_on_itself.closed_points"]
     check(closed > 0, f"automatic: {closed:.0f} closed points")
     worst = nodal_differences(runs.directory / "strip-2", runs.directory / "automatic", 2)
+    runs.run("automatic-2", 2, case="automatic.prm")
+    ranks = nodal_differences(runs.directory / "automatic", runs.directory / "automatic-2", 2)
+    check(max(ranks) < 1e-8, f"automatic: all nodes are the same on 2 ranks (by {max(ranks):.1e})")
     check(max(worst) < 1e-8, f"automatic: like the pair of the sides (by {worst[0]:.1e}, contact forces by {worst[1]:.1e})")
 
 

@@ -1,5 +1,6 @@
 #include <stickslip/solid/rigid_motion.h>
 
+#include <stickslip/base/axes_across.h>
 #include <stickslip/base/user_error.h>
 
 #include <deal.II/base/numbers.h>
@@ -13,26 +14,6 @@
 
 namespace stickslip
 {
-  namespace
-  {
-    /// Two unit vectors across @p axis and each other.
-    std::array<Tensor<1, 3>, 2>
-    axes_across(const Tensor<1, 3> &axis)
-    {
-      unsigned int smallest = 0;
-      for (unsigned int d = 1; d < 3; ++d)
-        if (std::abs(axis[d]) < std::abs(axis[smallest]))
-          smallest = d;
-      Tensor<1, 3> first;
-      first[smallest] = 1.;
-      first           = cross_product_3d(axis, first);
-      first /= first.norm();
-      return {{first, cross_product_3d(axis, first)}};
-    }
-  } // namespace
-
-
-
   template <int dim>
   RigidMotion<dim>::RigidMotion(
     const BoundaryConditionParameters      &parameters,

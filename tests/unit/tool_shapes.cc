@@ -1,6 +1,7 @@
 // Tools with names: depths of points against closed forms, where they end, and
 // the areas of their pictures.
 
+#include "expect_error.h"
 #include "print.h"
 
 #include <stickslip/base/user_error.h>
@@ -197,22 +198,6 @@ namespace
     test_picture(ring, 4. * PI * PI * 0.6 * 0.2);
     const auto groove = make_torus(at, axis, 0.6, 0.2, ToolSide::around, "");
     test_depth("in a groove", groove, place(0.7, 0., 1.), -0.1);
-  }
-
-
-
-  void
-  expect_error(const std::function<void()> &make)
-  {
-    try
-      {
-        make();
-        print("  no error: NO");
-      }
-    catch (const UserError &error)
-      {
-        print(std::string("  ") + error.what());
-      }
   }
 
 

@@ -1,6 +1,7 @@
 // Surfaces of rigid tools: projections, normals and curvatures against closed
 // forms, derivatives against differences.
 
+#include "expect_error.h"
 #include "print.h"
 
 #include <stickslip/base/user_error.h>
@@ -383,22 +384,6 @@ namespace
       "");
     print("  none on the axis of a ring", !groove.closest({0., 0., -1.}).found);
     print("  but beside it", groove.closest({1e-3, 0., -1.}).found);
-  }
-
-
-
-  void
-  expect_error(const std::function<void()> &make)
-  {
-    try
-      {
-        make();
-        print("  no error: NO");
-      }
-    catch (const UserError &error)
-      {
-        print(std::string("  ") + error.what());
-      }
   }
 
 

@@ -264,6 +264,7 @@ namespace stickslip
                                             softest_spring);
     }
 
+    /// By springs of any stiffness and nothing else but contact. Collective.
     std::vector<FreeMotion>
     motions_held_by_springs() const
     {

@@ -36,13 +36,13 @@ namespace stickslip
       return discretization->step_solver;
     }
 
-    /// A step begins at load time @p time.
+    /// A step begins at load time @p time. Collective.
     void
     begin_step(const double time);
 
     /// Whether a contact pair is closed in the present iterate, which has just
     /// been found, that was open in the accepted state, or the other way. Only
-    /// with 'Locate contact changes'.
+    /// with 'Locate contact changes'. Collective.
     bool
     contact_changes() const
     {
@@ -103,6 +103,7 @@ namespace stickslip
     std::vector<bool> closed_before; ///< closed_pairs() of the accepted state
 
     /// Whether a point is closed, by pair, in the state that the points know.
+    /// Collective.
     std::vector<bool>
     closed_pairs() const;
   };

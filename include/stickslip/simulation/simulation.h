@@ -113,7 +113,7 @@ namespace stickslip
 
     /// If contact is made or lost in the step that has been solved, and the
     /// step has to end at another time for that, goes back to where it began:
-    /// returns true.
+    /// returns true. Collective.
     bool
     goes_to_contact_change()
     {

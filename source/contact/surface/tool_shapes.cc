@@ -1,5 +1,6 @@
 #include <stickslip/contact/surface/tool_shapes.h>
 
+#include <stickslip/base/axes_across.h>
 #include <stickslip/base/user_error.h>
 
 #include <deal.II/base/numbers.h>
@@ -37,28 +38,13 @@ namespace stickslip
 
 
 
-    /// Any direction normal to the axis.
-    Tensor<1, 3>
-    across(const Tensor<1, 3> &axis)
-    {
-      unsigned int least = 0;
-      for (unsigned int c = 1; c < 3; ++c)
-        if (std::abs(axis[c]) < std::abs(axis[least]))
-          least = c;
-      Tensor<1, 3> e;
-      e[least] = 1.;
-      return cross_product_3d(axis, e);
-    }
-
-
-
     ToolSweep
     around_axis(const Point<3> &origin, const Tensor<1, 3> &axis)
     {
       ToolSweep sweep;
       sweep.origin = origin;
       sweep.axis   = axis;
-      sweep.first  = across(axis);
+      sweep.first  = axes_across(axis)[0];
       return sweep;
     }
 
@@ -98,7 +84,7 @@ namespace stickslip
         ToolSweep sweep;
         sweep.kind   = ToolSweep::Kind::extruded;
         sweep.origin = centre;
-        sweep.first  = across(outward);
+        sweep.first  = axes_across(outward)[0];
         sweep.axis   = cross_product_3d(outward, sweep.first);
         sweep.from   = -0.5 * size;
         sweep.to     = 0.5 * size;
