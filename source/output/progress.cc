@@ -73,7 +73,7 @@ namespace stickslip
                           const double       step_size)
   {
     if (is_active)
-      out << "  Step to time " << short_number(time) << " cut to "
+      out << "  Step to time " << short_number(time) << " failed, next size "
           << short_number(step_size) << ": " << reason << std::endl;
   }
 

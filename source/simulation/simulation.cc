@@ -134,7 +134,7 @@ namespace stickslip
       }
     catch (const NoConvergence &failure)
       {
-        cut_step(failure);
+        change_step(failure);
         return false;
       }
     return !goes_to_contact_change() && !repeats_on_other_mesh();
@@ -203,22 +203,11 @@ namespace stickslip
 
 
   template <int dim>
-  std::vector<ContactResultants<dim>>
-  Simulation<dim>::resultants_of(
-    const std::vector<ContactFaceResult<dim>> &faces) const
-  {
-    return compute_contact_resultants(faces,
-                                      parameters.contact_pairs.size(),
-                                      communicator,
-                                      mesh.bodies.cross_section);
-  }
-
-
-
-  template <int dim>
   void
   Simulation<dim>::accept_step()
   {
+    if (steps().is_leaping())
+      warn(steps().describe_leap());
     state.accept_step(steps().next_time() - steps().time());
     step_control.accept_step(solved, problem().counts.newton_iterations);
     adaptation.accept_step(problem(), state.x);
@@ -248,21 +237,28 @@ namespace stickslip
 
   template <int dim>
   void
-  Simulation<dim>::cut_step(const NoConvergence &failure)
+  Simulation<dim>::change_step(const NoConvergence &failure)
   {
-    const FailureReport report =
-      report_failure(failure,
-                     steps().step_number() + 1,
-                     parameters,
-                     problem(),
-                     state.step_solver().cycle_treatment.history(),
-                     log.last_newton_run());
-    log.note(report.text());
+    if (steps().is_leaping())
+      log.note(std::string("step failed: ") + failure.what());
+    else
+      {
+        failed.emplace(FailureOfStep{
+          failure,
+          report_failure(failure,
+                         steps().step_number() + 1,
+                         parameters,
+                         problem(),
+                         state.step_solver().cycle_treatment.history(),
+                         log.last_newton_run())});
+        log.note(failed->report.text());
+      }
     state.restore();
-    if (!steps().can_be_cut())
-      stop(failure, report);
     const double tried = steps().next_time();
-    step_control.cut_step();
+    if (steps().can_be_cut())
+      step_control.cut_step();
+    else if (!step_control.leap())
+      stop();
     progress.rejected_step(tried, failure.what(), steps().step_size());
   }
 
@@ -270,11 +266,10 @@ namespace stickslip
 
   template <int dim>
   void
-  Simulation<dim>::stop(const NoConvergence &failure,
-                        const FailureReport &report)
+  Simulation<dim>::stop()
   {
     const std::string last =
-      steps().describe_last_step() + ": " + failure.what();
+      steps().describe_last_step() + ": " + failed->failure.what();
     step_control.cut_step(); // a run that goes on begins with a smaller step
     std::string advice = "Continue it with --restart latest.";
     try
@@ -285,9 +280,9 @@ namespace stickslip
       {
         advice = error.what();
       }
-    const auto text = report.final_text(last, steps().time(), advice);
+    const auto text = failed->report.final_text(last, steps().time(), advice);
     log.note("stopped: " + text);
-    throw NoConvergence(text, failure);
+    throw NoConvergence(text, failed->failure);
   }
 
 

@@ -1,8 +1,5 @@
 #include <stickslip/strategy/load_stepping.h>
 
-#include <stickslip/base/expert_parameter.h>
-#include <stickslip/base/user_error.h>
-
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -25,149 +22,7 @@ namespace stickslip
 
     /// ... and after many.
     constexpr unsigned int longest_growth_delay = 8;
-
-
-
-    /// As a user would write it.
-    std::string
-    short_text(const double value)
-    {
-      std::ostringstream text;
-      text << value;
-      return text.str();
-    }
   } // namespace
-
-
-
-  const Choices<Predictor> &
-  all_predictors()
-  {
-    static const Choices<Predictor> choices = {{"linear", Predictor::linear},
-                                               {"none", Predictor::none}};
-    return choices;
-  }
-
-
-
-  void
-  LoadSteppingParameters::add_parameters(ParameterHandler &prm)
-  {
-    prm.add_parameter("End time",
-                      end_time,
-                      "Load time t at the end; it starts at 0.",
-                      Patterns::Double());
-    prm.add_parameter("Initial step",
-                      initial_step,
-                      "First step in t.",
-                      Patterns::Double());
-    prm.add_parameter("Minimum step",
-                      minimum_step,
-                      "The run stops if a step this small fails. 0: a "
-                      "thousandth of the initial step.",
-                      Patterns::Double(0.));
-    prm.add_parameter("Maximum step",
-                      maximum_step,
-                      "Steps do not grow beyond this. 0: the initial step.",
-                      Patterns::Double(0.));
-    prm.add_parameter(
-      "Cut factor",
-      cut_factor,
-      expert(
-        "A failed step is multiplied by this. A step also fails if it takes "
-        "more than a hundred Newton iterations and three times those of any of "
-        "the last three steps, unless the cut step would be too small."),
-      Patterns::Double(0.01, 0.99));
-    prm.add_parameter(
-      "Growth factor",
-      growth_factor,
-      expert("After an easy step the next one is multiplied by this; "
-             "after a cut when two steps in a row have been easy, or "
-             "up to eight if larger steps keep failing."),
-      Patterns::Double(1.));
-    prm.add_parameter("Easy iterations",
-                      easy_iterations,
-                      "A step is easy if it took at most this many Newton "
-                      "iterations.",
-                      Patterns::Integer(0));
-    add_choice(prm,
-               "Predictor",
-               predictor,
-               all_predictors(),
-               expert("Where Newton starts in a step. linear: the "
-                      "displacements are extrapolated from the last step, and "
-                      "rigid bodies are where their motion has them "
-                      "(not after a cut or a requested time). none: "
-                      "the accepted state."));
-    prm.add_parameter(
-      "Requested times",
-      requested_times,
-      "Times that steps must hit exactly, for instance where the "
-      "load changes its direction.",
-      Patterns::List(Patterns::Double()));
-    prm.add_parameter(
-      "Locate contact changes",
-      locates_contact_changes,
-      "Steps end where a contact pair closes that was open, at its first "
-      "point, or opens altogether: a step with such a change is solved several "
-      "times, each with half of what is left of the doubt about its time, and "
-      "the next step is as large as without it.");
-    prm.add_parameter(
-      "Contact change tolerance",
-      contact_change_tolerance,
-      expert("With 'Locate contact changes': a step ends at most this fraction "
-             "of 'Initial step' after a change, never before it."),
-      Patterns::Double(1e-9, 1.));
-    prm.enter_subsection("Stabilization");
-    prm.add_parameter(
-      "Factor",
-      stabilization_factor,
-      "Viscous forces that let a body snap past a limit point of its "
-      "quasi-static path: Factor * M T / L^2 * (u - u_old) / dt per volume, "
-      "with the longitudinal modulus M of each material, the 'End time' T and "
-      "the diagonal L of the model. Small values (1e-7 to 1e-4) suffice, since "
-      "steps become small where a body snaps. What these forces dissipate is "
-      "'stabilization_work' among the results and must be small compared with "
-      "'external_work'. 0: none.",
-      Patterns::Double(0.));
-    prm.leave_subsection();
-  }
-
-
-
-  void
-  LoadSteppingParameters::check(const std::string &path) const
-  {
-    const auto require = [&path](const bool ok, const std::string &text) {
-      if (!ok)
-        throw UserError("'" + path + "/" + text);
-    };
-    require(end_time > 0., "End time' must be larger than 0.");
-    require(initial_step > 0., "Initial step' must be larger than 0.");
-    require(minimum_step <= initial_step,
-            "Minimum step' must not exceed 'Initial step'.");
-    require(maximum_step == 0. || maximum_step >= initial_step,
-            "Maximum step' is " + short_text(maximum_step) +
-              ", but has to be 0 or at least 'Initial step', which is " +
-              short_text(initial_step) + ".");
-    for (const double time : requested_times)
-      require(time > 0. && time <= end_time,
-              "Requested times' has " + short_text(time) +
-                ", but all have to lie between 0 and 'End time', which is " +
-                short_text(end_time) + ".");
-  }
-
-
-
-  void
-  LoadSteppingParameters::request(const std::vector<double> &times)
-  {
-    for (const double time : times)
-      if (time > 0. && time < end_time &&
-          std::find(requested_times.begin(), requested_times.end(), time) ==
-            requested_times.end())
-        requested_times.push_back(time);
-  }
 
 
 
@@ -272,7 +127,8 @@ namespace stickslip
     const double rest = target - current_time;
     if (rest <= whole_rest * step)
       return target;
-    if (rest < shared_rest * step && step < parameters.maximum_step)
+    if (rest < shared_rest * step && step < parameters.maximum_step &&
+        !is_leaping())
       return current_time + 0.5 * rest;
     return current_time + step;
   }
@@ -284,6 +140,7 @@ namespace stickslip
   {
     current_time = next_time();
     forget_search();
+    forget_failures();
     ++n_accepted;
     if (has_grown)
       growth_delay.succeed();
@@ -308,8 +165,9 @@ namespace stickslip
   LoadStepping::can_be_cut() const
   {
     return shortened_to > 0. ||
-           parameters.cut_factor * (next_time() - current_time) >=
-             parameters.minimum_step * (1. - same_time);
+           (!is_leaping() &&
+            parameters.cut_factor * (next_time() - current_time) >=
+              parameters.minimum_step * (1. - same_time));
   }
 
 
@@ -325,10 +183,29 @@ namespace stickslip
       }
     const bool is_large_enough = can_be_cut();
     forget_search();
-    step      = parameters.cut_factor * (next_time() - time());
-    has_grown = false;
+    largest_failed = std::max(largest_failed, present_size());
+    step           = parameters.cut_factor * (next_time() - time());
+    has_grown      = false;
     growth_delay.fail();
     return is_large_enough;
+  }
+
+
+
+  bool
+  LoadStepping::leap()
+  {
+    if (!is_leaping())
+      smallest_failed = present_size();
+    largest_failed = std::max(largest_failed, present_size());
+    step           = std::min(2. * largest_failed, parameters.initial_step);
+    search_is_over = true;
+    if (parameters.leaps_over_snaps &&
+        present_size() > largest_failed + same_time * parameters.end_time)
+      return true;
+    step = smallest_failed;
+    forget_failures();
+    return false;
   }
 
 
@@ -342,6 +219,23 @@ namespace stickslip
          << " failed and the next would be below 'Load stepping/Minimum "
             "step' = "
          << parameters.minimum_step;
+    return text.str();
+  }
+
+
+
+  std::string
+  LoadStepping::describe_leap() const
+  {
+    std::ostringstream text;
+    text << "steps from t = " << current_time << " of sizes from "
+         << smallest_failed << " to " << largest_failed
+         << " failed, one to t = " << next_time()
+         << " was solved. Something may have snapped: what happens between "
+            "these times is not resolved, and the state after it depends on "
+            "the step. 'Load stepping/Stabilization' or prescribed "
+            "displacements instead of forces may follow it; 'Load stepping/"
+            "Leap over snaps = false' ends the run there.";
     return text.str();
   }
 

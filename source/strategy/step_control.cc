@@ -73,8 +73,10 @@ namespace stickslip
     attempt.algorithm = sequence[first_level];
     attempt.guess =
       is_predicted ? Attempt::Guess::predicted : Attempt::Guess::accepted;
-    attempt.step_can_be_cut = load_stepping.can_be_cut();
-    attempt.budget          = iteration_budget(last_iterations,
+    // a leap is one of several
+    attempt.step_can_be_cut =
+      load_stepping.can_be_cut() || load_stepping.is_leaping();
+    attempt.budget = iteration_budget(last_iterations,
                                       attempt.step_can_be_cut,
                                       sequence.size() > 1,
                                       newton_cap);

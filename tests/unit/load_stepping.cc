@@ -1,6 +1,7 @@
 // Sizes of load steps for scalar problems whose answers are known: one that
 // Newton's method solves only in steps below a certain size, one with a limit
-// point, one that becomes easier on the way; and requested times.
+// point, one that becomes easier on the way; requested times; and times that no
+// step can end at.
 
 #include <stickslip/strategy/load_stepping.h>
 
@@ -302,6 +303,66 @@ namespace
     print("not asked for: no search",
           !off.locate_contact_change(true) && off.next_time() == 0.4);
   }
+
+
+
+  /// What is tried, in steps of 0.1 down to 0.025, where no step can end
+  /// between 0.46 and @p end.
+  LoadStepping
+  pass_gap(const double end, const LoadSteppingParameters &parameters)
+  {
+    LoadStepping steps(parameters);
+    while (!steps.finished())
+      {
+        const double time = steps.next_time();
+        std::cout << ' ' << time;
+        if (time < 0.46 || time > end)
+          {
+            if (steps.is_leaping())
+              std::cout << " (leap)";
+            steps.accept_step(50);
+          }
+        else if (steps.can_be_cut() ? !steps.cut_step() : !steps.leap())
+          break;
+      }
+    std::cout << '\n';
+    return steps;
+  }
+
+
+
+  void
+  test_leaps()
+  {
+    std::cout << "Times without a state:\n";
+    LoadSteppingParameters parameters;
+    parameters.initial_step = 0.1;
+    parameters.minimum_step = 0.025;
+    std::cout << "  from 0.46 to 0.53:";
+    print("the end is reached", pass_gap(0.53, parameters).finished());
+    std::cout << "  from 0.46 to 0.6:";
+    const LoadStepping failed = pass_gap(0.6, parameters);
+    print("no leap is larger than the initial step", failed.time() == 0.45);
+    print("... and the step is the smallest one again",
+          !failed.is_leaping() && failed.next_time() == 0.475);
+    parameters.requested_times = {0.5};
+    std::cout << "  requested at 0.5:";
+    print("no leap over requested times",
+          pass_gap(0.53, parameters).time() == 0.45);
+    parameters.requested_times.clear();
+    parameters.leaps_over_snaps = false;
+    std::cout << "  not wanted:";
+    print("no leaps", pass_gap(0.53, parameters).time() == 0.45);
+    parameters.leaps_over_snaps        = true;
+    parameters.locates_contact_changes = true;
+    LoadStepping locating(parameters);
+    locating.cut_step();
+    locating.accept_step(50);
+    while (locating.can_be_cut())
+      locating.cut_step();
+    print("nothing is located in a leap",
+          locating.leap() && !locating.locate_contact_change(true));
+  }
 } // namespace
 
 
@@ -315,4 +376,5 @@ main()
   test_targets();
   test_minimum();
   test_contact_changes();
+  test_leaps();
 }

@@ -26,6 +26,7 @@
 
 #include <stickslip/strategy/step_control.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -75,9 +76,17 @@ namespace stickslip
     AutomaticPairs        automatic;
     StepControl           step_control;
 
-    Attempt          solved; ///< the last step
-    StepControlState control_of_accepted_state;
-    ContactWarnings  warnings;
+    /// Of the last step that is no leap.
+    struct FailureOfStep
+    {
+      NoConvergence failure;
+      FailureReport report;
+    };
+
+    Attempt                      solved; ///< the last step
+    std::optional<FailureOfStep> failed;
+    StepControlState             control_of_accepted_state;
+    ContactWarnings              warnings;
 
     RunOutput<dim>      output;
     MeshAdaptation<dim> adaptation;
@@ -141,7 +150,13 @@ namespace stickslip
     adapt_mesh();
 
     std::vector<ContactResultants<dim>>
-    resultants_of(const std::vector<ContactFaceResult<dim>> &faces) const;
+    resultants_of(const std::vector<ContactFaceResult<dim>> &faces) const
+    {
+      return compute_contact_resultants(faces,
+                                        parameters.contact_pairs.size(),
+                                        communicator,
+                                        mesh.bodies.cross_section);
+    }
 
     void
     accept_step();
@@ -165,14 +180,14 @@ namespace stickslip
       progress.warn(text);
     }
 
-    /// Reports @p failure, restores the accepted state and cuts the step. Throws
-    /// if that is not possible.
+    /// Reports @p failure, restores the accepted state and chooses another size
+    /// of the step. Throws if there is none left.
     void
-    cut_step(const NoConvergence &failure);
+    change_step(const NoConvergence &failure);
 
     /// Ends the run at the last accepted state: always throws.
     [[noreturn]] void
-    stop(const NoConvergence &failure, const FailureReport &report);
+    stop();
 
     /// Ends the run at the last accepted state because of @p request, so that
     /// it can go on as if it had not been interrupted: always throws.

@@ -1,60 +1,13 @@
 #ifndef stickslip_strategy_load_stepping_h
 #define stickslip_strategy_load_stepping_h
 
-#include <stickslip/base/choice.h>
-
 #include <stickslip/strategy/back_off.h>
-
-#include <deal.II/base/parameter_handler.h>
+#include <stickslip/strategy/load_stepping_parameters.h>
 
 #include <string>
-#include <vector>
 
 namespace stickslip
 {
-  using namespace dealii;
-
-  /// Where Newton starts in a step.
-  enum class Predictor
-  {
-    linear, ///< the displacements go on as in the last step
-    none    ///< the accepted state
-  };
-
-  const Choices<Predictor> &
-  all_predictors();
-
-
-
-  /// The section "Load stepping".
-  struct LoadSteppingParameters
-  {
-    double              end_time        = 1.;
-    double              initial_step    = 1.;
-    double              minimum_step    = 0.;
-    double              maximum_step    = 0.;
-    double              cut_factor      = 0.5;
-    double              growth_factor   = 1.5;
-    unsigned int        easy_iterations = 12;
-    Predictor           predictor       = Predictor::linear;
-    std::vector<double> requested_times;
-    double              stabilization_factor     = 0.;
-    bool                locates_contact_changes  = false;
-    double              contact_change_tolerance = 1e-3; ///< of initial_step
-
-    void
-    add_parameters(ParameterHandler &prm);
-
-    void
-    check(const std::string &path) const;
-
-    /// Steps have to end at those of @p times that lie between 0 and the end.
-    void
-    request(const std::vector<double> &times);
-  };
-
-
-
   /// What LoadStepping remembers from step to step.
   struct LoadSteppingState
   {
@@ -95,6 +48,10 @@ namespace stickslip
    * Without cuts each easy step lets the next one grow. After a cut, growth
    * waits for two easy steps in a row, and for twice as many each time that a
    * step fails again before a larger one has been accepted, at most eight.
+   *
+   * Where not even the smallest step can be solved there may be no state
+   * nearby: a body snaps, or a point that carries load slides off an end. Then
+   * larger steps from the same state may reach what comes after that: leaps.
    */
   class LoadStepping
   {
@@ -132,9 +89,31 @@ namespace stickslip
     bool
     cut_step();
 
+    /**
+     * The step to next_time() has failed and cannot be cut: makes it twice as
+     * large as the largest one that has failed from this state, at most the
+     * initial step, and less where a requested time is in its way. Where that
+     * is no larger, or leaps are not wanted, the step is the smallest one again
+     * and the result is false.
+     */
+    bool
+    leap();
+
+    /// The step to next_time() is larger than one from the same state that
+    /// could not be cut.
+    bool
+    is_leaping() const
+    {
+      return smallest_failed > 0.;
+    }
+
     /// The failed step in words, where it cannot be cut.
     std::string
     describe_last_step() const;
+
+    /// What a user should know of a leap that was solved.
+    std::string
+    describe_leap() const;
 
     /// True where the load may change its direction: at a requested time.
     bool
@@ -176,8 +155,10 @@ namespace stickslip
 
     // of the present step
     ContactChangeSearch search;
-    double              shortened_to   = 0.; ///< 0: not shortened
-    bool                search_is_over = false;
+    double              shortened_to    = 0.; ///< 0: not shortened
+    bool                search_is_over  = false;
+    double              largest_failed  = 0.; ///< size
+    double              smallest_failed = 0.; ///< where a leap began; 0: none
 
     /// As if there were no change of contact.
     double
@@ -193,6 +174,14 @@ namespace stickslip
 
     void
     forget_search();
+
+    /// An accepted step, or the end.
+    void
+    forget_failures()
+    {
+      largest_failed  = 0.;
+      smallest_failed = 0.;
+    }
   };
 } // namespace stickslip
 

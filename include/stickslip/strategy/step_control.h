@@ -122,6 +122,13 @@ namespace stickslip
     bool
     cut_step();
 
+    /// See LoadStepping::leap().
+    bool
+    leap()
+    {
+      return load_stepping.leap();
+    }
+
     /// The attempt @p solved has solved the step in @p newton_iterations.
     void
     accept_step(const Attempt &solved, const unsigned int newton_iterations);
