@@ -149,30 +149,6 @@ namespace stickslip
 
 
 
-    template <int dim>
-    AffineMap<dim>
-    body_motion(const BodyParameters &parameters, const std::string &path)
-    {
-      std::vector<double> factors = parameters.scale;
-      if (factors.size() == 1)
-        factors.resize(dim, factors[0]);
-      else if (factors.size() != dim)
-        throw UserError(path + "/Scale: expected one factor or " +
-                        std::to_string(dim) + ", found " +
-                        std::to_string(factors.size()) + ".");
-      Tensor<1, dim> scale;
-      std::copy(factors.begin(), factors.end(), scale.begin_raw());
-
-      return AffineMap<dim>::from_motion(
-        scale,
-        body_vector<3>(parameters.rotation_axis, path + "/Rotation axis"),
-        parameters.rotation_angle * numbers::PI / 180.,
-        body_vector<dim>(parameters.rotation_centre, path + "/Rotation centre"),
-        body_vector<dim>(parameters.translation, path + "/Translation"));
-    }
-
-
-
     /**
      * Copies the manifolds of the ids in use to where @p map takes the body.
      * Transfinite interpolation holds on to its own triangulation, so it ends
@@ -272,7 +248,7 @@ namespace stickslip
                 name         = conditions.label(i);
                 marks_any[i] = true;
               }
-          if (name.empty() && !parameters.is_rigid)
+          if (name.empty() && !parameters.moves_as_a_whole())
             throw UserError(path + ": some cells (of group " +
                             ids.in_words({old_id}) +
                             ") are in none of the 'Material regions', and "
@@ -292,6 +268,30 @@ namespace stickslip
                           "' holds in no cell (tested at the centres).");
     }
   } // namespace
+
+
+
+  template <int dim>
+  AffineMap<dim>
+  body_motion(const BodyParameters &parameters, const std::string &path)
+  {
+    std::vector<double> factors = parameters.scale;
+    if (factors.size() == 1)
+      factors.resize(dim, factors[0]);
+    else if (factors.size() != dim)
+      throw UserError(path + "/Scale: expected one factor or " +
+                      std::to_string(dim) + ", found " +
+                      std::to_string(factors.size()) + ".");
+    Tensor<1, dim> scale;
+    std::copy(factors.begin(), factors.end(), scale.begin_raw());
+
+    return AffineMap<dim>::from_motion(
+      scale,
+      body_vector<3>(parameters.rotation_axis, path + "/Rotation axis"),
+      parameters.rotation_angle * numbers::PI / 180.,
+      body_vector<dim>(parameters.rotation_centre, path + "/Rotation centre"),
+      body_vector<dim>(parameters.translation, path + "/Translation"));
+  }
 
 
 
@@ -364,6 +364,10 @@ namespace stickslip
 
 
 
+  template AffineMap<2>
+  body_motion(const BodyParameters &, const std::string &);
+  template AffineMap<3>
+  body_motion(const BodyParameters &, const std::string &);
   template std::unique_ptr<BodyMesh<2>>
   make_body_mesh<2>(const BodyParameters &,
                     const std::string &,

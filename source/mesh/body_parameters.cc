@@ -1,4 +1,5 @@
 #include <stickslip/mesh/body_parameters.h>
+#include <stickslip/mesh/tool_generators.h>
 
 #include <stickslip/base/expert_parameter.h>
 #include <stickslip/base/user_error.h>
@@ -128,7 +129,15 @@ namespace stickslip
       "Rigid",
       is_rigid,
       "A rigid body: it stays where it is unless a condition of the type "
-      "'rigid motion' moves it.");
+      "'rigid motion' moves it. Tools (generators 'tool_...') are rigid.");
+  }
+
+
+
+  bool
+  BodyParameters::is_tool() const
+  {
+    return stickslip::is_tool(generator);
   }
 
 
@@ -148,6 +157,11 @@ namespace stickslip
       throw UserError(path + "/Arguments: '" + arguments +
                       "' is given without a 'Generator'.");
 
+    if (is_tool() && !coordinates.empty())
+      throw UserError(path + "/Coordinates: '" + coordinates +
+                      "' cannot be, since the shape of a rigid tool ('" +
+                      generator + "') is what its arguments say.");
+
     if (mesh_file.empty() && !mesh_groups.empty())
       throw UserError(path + "/Mesh group: '" + mesh_groups[0] +
                       "' is given without a 'Mesh file'.");
@@ -159,7 +173,7 @@ namespace stickslip
     if (rotation_angle != 0. && rotation_axis[0] == 0. &&
         rotation_axis[1] == 0. && rotation_axis[2] == 0.)
       throw UserError(path + "/Rotation axis: the direction is zero.");
-    if (material.empty() && material_regions.empty() && !is_rigid)
+    if (material.empty() && material_regions.empty() && !moves_as_a_whole())
       throw UserError(path +
                       "/Material: a deformable body needs the name of a "
                       "section of 'Materials'.");

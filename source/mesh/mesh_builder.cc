@@ -28,16 +28,18 @@ namespace stickslip
     /// Appends a body to the list of bodies and its cells to the joined mesh.
     template <int dim>
     void
-    append_body(const std::string   &name,
-                const bool           is_rigid,
-                const BodyMesh<dim> &body_mesh,
-                Bodies              &bodies,
-                JoinedMesh<dim>     &joined_mesh)
+    append_body(const std::string    &name,
+                const BodyParameters &parameters,
+                const BodyMesh<dim>  &body_mesh,
+                Bodies               &bodies,
+                JoinedMesh<dim>      &joined_mesh)
     {
       const unsigned int index = bodies.bodies.size();
       Body               body;
-      body.name       = name;
-      body.is_rigid   = is_rigid;
+      body.name     = name;
+      body.is_rigid = parameters.moves_as_a_whole();
+      if (parameters.is_tool())
+        body.tool = parameters;
       body.boundaries = body_mesh.boundaries;
       const auto ids  = body_mesh.triangulation.get_boundary_ids();
       body.boundary_ids.insert(ids.begin(), ids.end());
@@ -333,7 +335,7 @@ namespace stickslip
           if (!warning.empty())
             mesh.warnings.push_back(warning);
         kinds.emplace_back(name, reference_cell_of(body_mesh->triangulation));
-        append_body(name, body.is_rigid, *body_mesh, mesh.bodies, joined_mesh);
+        append_body(name, body, *body_mesh, mesh.bodies, joined_mesh);
       }
 
     const ReferenceCell cell          = common_cell(kinds);

@@ -7,6 +7,7 @@
 #include <stickslip/mesh/mesh_checks.h>
 #include <stickslip/mesh/mesh_shapes.h>
 #include <stickslip/mesh/subdivided_line.h>
+#include <stickslip/mesh/tool_generators.h>
 
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
@@ -37,7 +38,7 @@ namespace stickslip
     const Argument n_cells{"number of cells", "0", "0"};
 
     // clang-format off
-    static const std::vector<GeneratorDescription> descriptions = {
+    static std::vector<GeneratorDescription> descriptions = {
       {"annular_sector", 0, {inner_radius, outer_radius, {"first angle", "", ""}, {"last angle", "", ""},
                              {"radial cells", "", ""}, {"angular cells", "", ""}, {"length", "1", "1"}, {"axial cells", "1", "1"}}, true},
       {"channel_with_cylinder", 0, {{"shell region width", "0.03", "0.03"}, {"number of shells", "2", "2"}, {"skewness", "2", "2"}, colorize}, false},
@@ -76,6 +77,12 @@ namespace stickslip
       {"truncated_cone", 0, {{"first radius", "1", "1"}, {"last radius", "0.5", "0.5"}, half_length}, false},
     };
     // clang-format on
+    static const bool has_tools = [] {
+      const auto &tools = tool_descriptions();
+      descriptions.insert(descriptions.end(), tools.begin(), tools.end());
+      return true;
+    }();
+    (void)has_tools;
     return descriptions;
   }
 
@@ -244,6 +251,11 @@ namespace stickslip
                               path,
                               triangulation);
 
+      if (is_tool(name))
+        {
+          const auto [first, last] = tool_cell<dim>(name, values, path);
+          return GridGenerator::hyper_rectangle(triangulation, first, last);
+        }
       if (dim == 2 && values[2] != "none")
         throw UserError(path + ": z positions exist only in 3D.");
       std::array<std::vector<double>, dim> positions;
@@ -270,6 +282,20 @@ namespace stickslip
       return text;
     }
   } // namespace
+
+
+
+  std::vector<std::string>
+  generator_arguments(const std::string &name,
+                      const std::string &arguments,
+                      const unsigned int dim,
+                      const std::string &path)
+  {
+    return complete_arguments(find_generator(name, dim, path),
+                              arguments,
+                              dim,
+                              path + "/Arguments");
+  }
 
 
 

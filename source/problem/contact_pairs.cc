@@ -3,6 +3,8 @@
 #include <stickslip/base/over_ranks.h>
 #include <stickslip/base/user_error.h>
 
+#include <stickslip/problem/rigid_tools.h>
+
 #include <set>
 #include <string>
 
@@ -88,8 +90,9 @@ namespace stickslip
                                          pair.slave_boundary,
                                          path + "/Slave boundary");
         const auto master =
-          pair.is_automatic
-            ? pair.master_ids
+          pair.is_automatic ? pair.master_ids
+          : bodies.bodies[master_body].tool && pair.master_boundary.empty()
+            ? bodies.all_boundary_ids(master_body)
             : bodies.global_boundary_ids(pair.master_body,
                                          pair.master_boundary,
                                          path + "/Master boundary");
@@ -105,6 +108,17 @@ namespace stickslip
                               bodies.all_boundary_ids(master_body),
                               {},
                               bodies.cross_section};
+        if (bodies.bodies[slave_body].tool)
+          throw UserError("'" + path + "/Slave body = " + pair.slave_body +
+                          "': a rigid tool has no contact points. Let it be "
+                          "the master.");
+        ToolMaster<dim> tool;
+        if (bodies.bodies[master_body].tool)
+          tool = make_tool_master(*bodies.bodies[master_body].tool,
+                                  "Bodies/" + pair.master_body,
+                                  master,
+                                  dofs.dof_handler,
+                                  communicator);
         if (!pair.excluded_boundaries.empty())
           surfaces.excluded =
             bodies.global_boundary_ids(pair.slave_body,
@@ -119,6 +133,7 @@ namespace stickslip
                                                            dofs.mapping,
                                                            dofs.dof_handler,
                                                            modulus,
+                                                           tool,
                                                            communicator));
         check_multipliers_on_axis(*pairs.back(), path, communicator);
       }

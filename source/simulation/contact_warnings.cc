@@ -49,8 +49,8 @@ namespace stickslip
                        [&wanted = pair.master_body](const auto &body) {
                          return body.first == wanted;
                        });
-        const std::string rule =
-          about_rule(pair, master != bodies.end() && master->second.is_rigid);
+        const std::string rule = about_rule(
+          pair, master != bodies.end() && master->second.moves_as_a_whole());
         if (!rule.empty())
           about_parameters.push_back(
             path +

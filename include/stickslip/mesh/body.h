@@ -2,11 +2,13 @@
 #define stickslip_mesh_body_h
 
 #include <stickslip/base/types.h>
+#include <stickslip/mesh/body_parameters.h>
 #include <stickslip/mesh/cross_section.h>
 #include <stickslip/mesh/labelled_ids.h>
 
 #include <deal.II/base/types.h>
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -24,6 +26,8 @@ namespace stickslip
     std::set<types::boundary_id> boundary_ids;
     /// What the user may call them.
     LabelledIds boundaries = LabelledIds();
+    /// Of a rigid tool: how it was given.
+    std::optional<BodyParameters> tool = {};
   };
 
   /// Cells of one body with one material: what cell->material_id() points to.

@@ -5,6 +5,7 @@
 #include <stickslip/mesh/labelled_ids.h>
 #include <stickslip/mesh/mesh_reader.h>
 #include <stickslip/mesh/mesh_size.h>
+#include <stickslip/mesh/transformed_manifold.h>
 
 #include <deal.II/grid/manifold.h>
 #include <deal.II/grid/tria.h>
@@ -32,6 +33,12 @@ namespace stickslip
     std::vector<std::string> warnings; ///< for the user
     std::map<types::manifold_id, std::unique_ptr<Manifold<dim, dim>>> manifolds;
   };
+
+  /// Where a body is put after its generation: scaled, rotated, translated.
+  /// Throws UserError that blames parameters below @p path.
+  template <int dim>
+  AffineMap<dim>
+  body_motion(const BodyParameters &parameters, const std::string &path);
 
   /**
    * Generates or reads, shapes, refines, moves and marks one body. Collective

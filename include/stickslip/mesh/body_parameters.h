@@ -41,6 +41,17 @@ namespace stickslip
     std::string material_regions; ///< "name: condition; name: condition"
     bool        is_rigid = false;
 
+    /// A rigid body without facets, known by its shape (tool_generators.h).
+    bool
+    is_tool() const;
+
+    /// It moves as a whole, or not at all.
+    bool
+    moves_as_a_whole() const
+    {
+      return is_rigid || is_tool();
+    }
+
     void
     add_parameters(ParameterHandler &prm);
 

@@ -35,6 +35,14 @@ namespace stickslip
   std::vector<std::string>
   generator_names(const unsigned int dim);
 
+  /// All arguments of a generator, those at the end from their defaults. Throws
+  /// UserError that blames parameters below @p path.
+  std::vector<std::string>
+  generator_arguments(const std::string &name,
+                      const std::string &arguments,
+                      const unsigned int dim,
+                      const std::string &path);
+
   /**
    * Fills @p triangulation (empty before) and its manifolds. Arguments are
    * separated by ':' and missing ones at the end get their defaults. Throws

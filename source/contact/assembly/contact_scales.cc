@@ -54,7 +54,7 @@ namespace stickslip
       const auto &nodes = pair.patch->configuration(pairing.face).positions;
       const auto  slave = pair.slave_position(point);
       std::vector<double> N;
-      pair.patch->face_shape().evaluate_values(pairing.xi, N);
+      pair.patch->evaluate_values(pairing.chart, pairing.xi, N);
       const double d_n =
         pairing.n * (slave.x - interpolate<dim>(N, nodes)) - slave.gap_offset;
       return d_n >= -touching_gap *

@@ -147,21 +147,17 @@ namespace stickslip
         return;
       }
     const unsigned int f = point.pairing.face;
-    evaluate_master_point(pair.patch->face(f),
-                          pair.patch->configuration(f),
-                          pair.patch->face_shape(),
-                          point.pairing.xi,
-                          state.master);
-    evaluate_master_point(pair.patch->face(f),
-                          pair.patch->old_configuration(f),
-                          pair.patch->face_shape(),
-                          point.pairing.xi,
-                          old_master);
+    pair.patch->evaluate(point.pairing,
+                         pair.patch->configuration(f),
+                         state.master);
+    pair.patch->evaluate(point.pairing,
+                         pair.patch->old_configuration(f),
+                         old_master);
     evaluate_contact_kinematics(point.pairing,
                                 state.master,
                                 old_master,
                                 pair.slave_position(point),
-                                pair.parameters.has_smoothed_normals(),
+                                pair.has_smoothed_normals(),
                                 live.geometry && linearize_geometry,
                                 with_derivatives,
                                 state.kinematics);

@@ -76,7 +76,7 @@ namespace stickslip
       std::vector<double> master_shape;
       if (pairing.paired)
         {
-          pair.patch->face_shape().evaluate_values(pairing.xi, master_shape);
+          pair.patch->evaluate_values(pairing.chart, pairing.xi, master_shape);
           add(pair.patch->face(pairing.face).dofs, master_shape, -1.);
           const auto &now = pair.patch->configuration(pairing.face).positions;
           const auto &old =

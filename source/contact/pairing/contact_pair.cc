@@ -36,6 +36,7 @@ namespace stickslip
     const Mapping<dim>                                    &mapping,
     const DoFHandler<dim>                                 &dof_handler,
     const std::function<double(const types::material_id)> &modulus,
+    const ToolMaster<dim>                                 &tool,
     const MPI_Comm                                        &communicator)
     : parameters(parameters)
     , name(name)
@@ -62,13 +63,13 @@ namespace stickslip
     };
     const auto slaves  = collect(surfaces.slave, surfaces.slave_body);
     auto       masters = collect(surfaces.master, surfaces.master_body);
-    if (parameters.has_smoothed_normals())
+    if (parameters.has_smoothed_normals() && !tool.tool)
       add_nodal_normals(masters,
                         displacement_shape,
                         parameters.smoothing_angle * numbers::PI / 180.);
-    std::vector<SurfaceFace<dim>> owned_masters;
+    std::vector<SurfaceFace<dim>> owned_masters = tool.owned_frame;
     for (const auto &master : masters)
-      if (master.cell->is_locally_owned())
+      if (!tool.tool && master.cell->is_locally_owned())
         owned_masters.push_back(master.face);
 
     for (const auto &slave : slaves)
@@ -93,10 +94,8 @@ namespace stickslip
                                        parameters.end_overlap,
                                        parameters.least_cosine,
                                        meets_itself()};
-    patch = std::make_unique<MasterPatch<dim>>(owned_masters,
-                                               displacement_shape,
-                                               tolerances,
-                                               communicator);
+    patch = std::make_unique<MasterPatch<dim>>(
+      owned_masters, displacement_shape, tolerances, communicator, tool.tool);
 
     excluded = excluded_slave_nodes(slaves,
                                     surfaces.excluded,

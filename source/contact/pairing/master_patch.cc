@@ -42,12 +42,47 @@ namespace stickslip
   MasterPatch<dim>::MasterPatch(std::vector<SurfaceFace<dim>> owned_faces,
                                 const FaceShape<dim>         &shape,
                                 const PairingTolerances      &tolerances,
-                                const MPI_Comm               &communicator)
+                                const MPI_Comm               &communicator,
+                                std::shared_ptr<const RigidTool<dim>> tool)
     : tolerances(tolerances)
     , owned(std::move(owned_faces))
     , shape(shape)
     , communicator(communicator)
+    , rigid_tool(std::move(tool))
   {}
+
+
+
+  template <int dim>
+  void
+  MasterPatch<dim>::evaluate_values(const unsigned int    chart,
+                                    const Point<dim - 1> &xi,
+                                    std::vector<double>  &N) const
+  {
+    if (!rigid_tool)
+      return shape.evaluate_values(xi, N);
+    FaceShapeValues<dim> values;
+    rigid_tool->frame.shape_at(rigid_tool->surface.evaluate(chart, xi), values);
+    N = values.value;
+  }
+
+
+
+  template <int dim>
+  void
+  MasterPatch<dim>::evaluate(const Pairing<dim>             &pairing,
+                             const MasterConfiguration<dim> &configuration,
+                             MasterPoint<dim>               &point) const
+  {
+    if (rigid_tool)
+      rigid_tool->evaluate(configuration.positions,
+                           pairing.chart,
+                           pairing.xi,
+                           point);
+    else
+      evaluate_master_point(
+        faces[pairing.face], configuration, shape, pairing.xi, point);
+  }
 
 
 
@@ -76,6 +111,8 @@ namespace stickslip
     for (unsigned int rank = 0; rank < all.size(); ++rank)
       {
         std::vector<unsigned int> wanted;
+        if (rigid_tool && !all[rank].empty() && !owned.empty())
+          wanted = {0};
         for (const auto &box : all[rank])
           for (const auto &hit :
                owned_tree | boost::geometry::index::adaptors::queried(

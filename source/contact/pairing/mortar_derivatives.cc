@@ -2,6 +2,7 @@
 
 #include <stickslip/contact/pairing/corner_normals.h>
 #include <stickslip/contact/pairing/partner_motion.h>
+#include <stickslip/contact/pairing/tool_motion.h>
 
 #include <algorithm>
 #include <map>
@@ -159,6 +160,55 @@ namespace stickslip
 
   template <int dim>
   void
+  MortarDerivatives<dim>::add_tool_motion(
+    const MortarNode<dim>                 &node,
+    const MortarAverage<dim>              &average,
+    const std::vector<MortarFace<dim>>    &faces,
+    const std::vector<FaceSegments<dim>>  &segments,
+    const std::vector<FaceIntegrals<dim>> &integrals,
+    const MasterPatch<dim>                &patch,
+    const bool                             partners_move,
+    MortarDerivative<dim>                 &derivative) const
+  {
+    const unsigned int  n       = displacement_shape.n_nodes();
+    const unsigned int  n_slave = node.n_stencil_nodes();
+    std::vector<double> L;
+    ToolMotion<dim>     motion;
+    for (const auto &around : node.faces)
+      for (const auto &point : segments[around.face].points)
+        {
+          multiplier_shape.evaluate_values(point.xi, L);
+          const double psi =
+            point.weight *
+            combination(integrals[around.face].weighting, around.multiplier, L);
+          if (psi == 0.)
+            continue;
+          motion.evaluate(displacement_shape,
+                          faces[around.face],
+                          point,
+                          patch,
+                          partners_move);
+          for (unsigned int k = 0; k < motion.D_n.size(); ++k)
+            {
+              const unsigned int column_node =
+                k / dim < n ? around.stencil[k / dim] : n_slave + k / dim - n;
+              const auto D_n = psi * node.projection * motion.D_n[k];
+              for (unsigned int i = 0; i < dim; ++i)
+                derivative.D_normal[column_node][i][k % dim] += D_n[i];
+              const unsigned int column = column_node * dim + k % dim;
+              for (unsigned int l = 0; l < average.n_master_nodes(); ++l)
+                for (unsigned int d = 0; d < dim - 1; ++d)
+                  derivative.D_M(l, column) +=
+                    psi * motion.master.shape.gradient[l][d] *
+                    motion.D_xi[d][k];
+            }
+        }
+  }
+
+
+
+  template <int dim>
+  void
   MortarDerivatives<dim>::differentiate(
     const MortarNode<dim>                 &node,
     const MortarAverage<dim>              &average,
@@ -186,6 +236,19 @@ namespace stickslip
                                    derivative.D_normal);
     derivative.D_D.reinit(0, 0);
     derivative.D_area.clear();
+    if (patch.tool() != nullptr)
+      {
+        if (average.paired)
+          add_tool_motion(node,
+                          average,
+                          faces,
+                          segments,
+                          integrals,
+                          patch,
+                          partners_move,
+                          derivative);
+        return;
+      }
     const MasterNumbers numbers = master_numbers(average);
     for (const auto &around : node.faces)
       {

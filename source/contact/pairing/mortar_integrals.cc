@@ -80,12 +80,48 @@ namespace stickslip
         !find_corner_normal(
           displacement_shape, node, faces, segments, patch, frame))
       average_normals(node, faces, frame);
+    set_tangents(node, faces, frame);
+    return frame;
+  }
+
+
+
+  template <int dim>
+  MortarFrame<dim>
+  MortarIntegrals<dim>::tool_frame_at(
+    const MortarNode<dim>                 &node,
+    const std::vector<MortarFace<dim>>    &faces,
+    const std::vector<FaceIntegrals<dim>> &integrals) const
+  {
+    MortarFrame<dim> frame;
+    for (const auto &around : node.faces)
+      frame.n += integrals[around.face].normal[around.multiplier];
+    frame.n      = node.projection * frame.n;
+    frame.length = frame.n.norm();
+    if (frame.length > least_share * node.area)
+      frame.n /= frame.length;
+    else // it has no partner
+      {
+        frame.n = Tensor<1, dim>();
+        average_normals(node, faces, frame);
+      }
+    set_tangents(node, faces, frame);
+    return frame;
+  }
+
+
+
+  template <int dim>
+  void
+  MortarIntegrals<dim>::set_tangents(const MortarNode<dim>              &node,
+                                     const std::vector<MortarFace<dim>> &faces,
+                                     MortarFrame<dim> &frame) const
+  {
     Tensor<1, dim> direction;
     for (unsigned int k = 0; k < node.faces.front().stencil.size(); ++k)
       direction += node.direction[node.faces.front().stencil[k]] *
                    faces[node.faces.front().face].positions[k];
     frame.tau = tangent_basis<dim>(frame.n, direction);
-    return frame;
   }
 
 
@@ -123,26 +159,42 @@ namespace stickslip
   template <int dim>
   FaceIntegrals<dim>
   MortarIntegrals<dim>::integrate(const MortarFace<dim>   &slave,
-                                  const FaceSegments<dim> &segments) const
+                                  const FaceSegments<dim> &segments,
+                                  const MasterPatch<dim>  &patch) const
   {
     const unsigned int n_multipliers = multiplier_shape.n_nodes();
     const unsigned int n_nodes       = displacement_shape.n_nodes();
+    const unsigned int n_master      = patch.n_face_nodes();
     FaceIntegrals<dim> integrals;
     integrals.area.assign(n_multipliers, 0.);
     integrals.variation.assign(n_multipliers, 0.);
     integrals.D.reinit(n_multipliers, n_nodes);
     integrals.M.assign(segments.masters.size(),
-                       FullMatrix<double>(n_multipliers, n_nodes));
+                       FullMatrix<double>(n_multipliers, n_master));
+    // few points of a face may be opposite a tool: no dual functions there
     integrals.weighting =
-      segments.ends.empty()
+      segments.is_partial ? slave.extended
+      : segments.ends.empty()
         ? slave.weighting
         : weighting_on(slave, multiplier_shape, segments.points);
     std::vector<double> L, N, N_master;
+    MasterPoint<dim>    on_tool;
+    if (patch.tool() != nullptr)
+      integrals.normal.resize(n_multipliers);
     for (const auto &point : segments.points)
       {
         multiplier_shape.evaluate_values(point.xi, L);
         displacement_shape.evaluate_values(point.xi, N);
-        displacement_shape.evaluate_values(point.eta, N_master);
+        if (patch.tool() != nullptr)
+          {
+            patch.tool()->evaluate(patch.configuration(0).positions,
+                                   point.chart,
+                                   point.eta,
+                                   on_tool);
+            N_master = on_tool.shape.value;
+          }
+        else
+          displacement_shape.evaluate_values(point.eta, N_master);
         for (unsigned int l = 0; l < n_multipliers; ++l)
           {
             const double psi =
@@ -152,10 +204,11 @@ namespace stickslip
             integrals.area[l] += psi;
             integrals.variation[l] += std::abs(psi);
             for (unsigned int k = 0; k < n_nodes; ++k)
-              {
-                integrals.D(l, k) += psi * N[k];
-                integrals.M[point.master](l, k) += psi * N_master[k];
-              }
+              integrals.D(l, k) += psi * N[k];
+            for (unsigned int k = 0; k < n_master; ++k)
+              integrals.M[point.master](l, k) += psi * N_master[k];
+            if (patch.tool() != nullptr)
+              integrals.normal[l] += psi * on_tool.n;
           }
       }
     return integrals;

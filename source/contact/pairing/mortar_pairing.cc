@@ -11,7 +11,8 @@ namespace stickslip
     relocated_segments(const FaceSegments<dim> &before,
                        const MasterPatch<dim>  &patch)
     {
-      FaceSegments<dim>         after;
+      FaceSegments<dim> after;
+      after.is_partial = before.is_partial;
       std::vector<unsigned int> number(before.masters.size());
       std::vector<bool>         is_there(before.masters.size());
       for (unsigned int i = 0; i < before.masters.size(); ++i)

@@ -28,6 +28,10 @@ namespace stickslip
     : displacement_shape(displacement_shape)
     , multiplier_shape(multiplier_shape)
     , rule(displacement_shape, parameters.quadrature_order, cross_section)
+    , tool_rule(displacement_shape,
+                multiplier_shape,
+                parameters.quadrature_order,
+                cross_section)
     , integrals(displacement_shape, multiplier_shape)
     , derivatives(displacement_shape, multiplier_shape)
     , cross_section(cross_section)
@@ -291,7 +295,9 @@ namespace stickslip
       return sides.side_of(face) != Side::slave;
     };
     for (const MortarFace<dim> &slave : faces)
-      if (!meets_itself)
+      if (patch.tool() != nullptr)
+        segments->push_back(tool_rule.find_segments(slave, patch));
+      else if (!meets_itself)
         segments->push_back(find_segments(slave, rule, patch));
       else if (slave.side == Side::slave)
         segments->push_back(find_segments(slave, rule, patch, is_master));
@@ -308,9 +314,16 @@ namespace stickslip
   {
     const auto pairing = std::make_shared<MortarPairing<dim>>();
     pairing->segments  = kept ? kept : find_all_segments(patch);
+    std::vector<FaceIntegrals<dim>> over_tool;
+    if (patch.tool() != nullptr)
+      for (unsigned int f = 0; f < faces.size(); ++f)
+        over_tool.push_back(
+          integrals.integrate(faces[f], (*pairing->segments)[f], patch));
     for (const auto &node : nodes)
       pairing->frames.push_back(
-        integrals.frame_at(node, faces, *pairing->segments, patch));
+        patch.tool() != nullptr
+          ? integrals.tool_frame_at(node, faces, over_tool)
+          : integrals.frame_at(node, faces, *pairing->segments, patch));
     return pairing;
   }
 
@@ -329,7 +342,8 @@ namespace stickslip
         integrated = current->segments;
         over_faces.clear();
         for (unsigned int f = 0; f < faces.size(); ++f)
-          over_faces.push_back(integrals.integrate(faces[f], segments[f]));
+          over_faces.push_back(
+            integrals.integrate(faces[f], segments[f], patch));
       }
     for (unsigned int i = 0; i < nodes.size(); ++i)
       averages[i] =

@@ -1,5 +1,7 @@
 #include <stickslip/contact/pairing/partner_search.h>
 
+#include <stickslip/contact/pairing/tool_pairing.h>
+
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -227,6 +229,8 @@ namespace stickslip
                const Pairing<dim>        &last,
                const EdgeRetention       &retention)
   {
+    if (patch.tool() != nullptr)
+      return find_tool_partner(patch, point.x, point.normal);
     const Pairing<dim> same_face =
       kept(patch,
            point,

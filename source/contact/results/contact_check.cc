@@ -204,11 +204,9 @@ namespace stickslip
         if (!pairing.paired)
           return;
         MasterPoint<dim> master;
-        evaluate_master_point(pair.patch->face(pairing.face),
-                              pair.patch->configuration(pairing.face),
-                              pair.patch->face_shape(),
-                              pairing.xi,
-                              master);
+        pair.patch->evaluate(pairing,
+                             pair.patch->configuration(pairing.face),
+                             master);
         point.initial_pairing.n               = pairing.n;
         point.initial_pairing.master_position = master.x;
       });

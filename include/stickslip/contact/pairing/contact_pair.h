@@ -44,6 +44,17 @@ namespace stickslip
 
 
 
+  /// A rigid tool as a master.
+  template <int dim>
+  struct ToolMaster
+  {
+    std::shared_ptr<const RigidTool<dim>> tool; ///< nullptr: none
+    /// The face that stands for it, on the rank that owns its cell.
+    std::vector<SurfaceFace<dim>> owned_frame;
+  };
+
+
+
   /// The pairings of all points of a pair in one configuration.
   template <int dim>
   struct FoundPairings
@@ -65,7 +76,7 @@ namespace stickslip
   public:
     /**
      * @p modulus is the longitudinal modulus of a cell by material id
-     * (infinity: rigid). Throws UserError (same on all ranks). Collective.
+     * (infinity: rigid), @p tool the master if it is a rigid tool. Throws UserError (same on all ranks). Collective.
      */
     ContactPair(const std::string           &name,
                 const ContactPairParameters &parameters,
@@ -73,6 +84,7 @@ namespace stickslip
                 const Mapping<dim>          &mapping,
                 const DoFHandler<dim>       &dof_handler,
                 const std::function<double(const types::material_id)> &modulus,
+                const ToolMaster<dim>                                 &tool,
                 const MPI_Comm &communicator);
 
     /// 1 (without tangential traction) or dim.
@@ -80,6 +92,13 @@ namespace stickslip
     n_multiplier_components() const
     {
       return parameters.has_tangential_traction() ? dim : 1;
+    }
+
+    /// Of the master's facets; a rigid tool needs none.
+    bool
+    has_smoothed_normals() const
+    {
+      return parameters.has_smoothed_normals() && patch->tool() == nullptr;
     }
 
     /// Multiplier nodes of the owned slave faces (first displacement dofs).

@@ -3,6 +3,7 @@
 
 #include <stickslip/contact/point/pairing_hysteresis.h>
 #include <stickslip/contact/surface/normal_projection.h>
+#include <stickslip/contact/surface/rigid_tool.h>
 
 #include <deal.II/base/bounding_box.h>
 
@@ -42,16 +43,21 @@ namespace stickslip
    * The master faces that the slave points of this rank may meet, copied from
    * the ranks that own them: a rank holds no more of the master surface than
    * what lies around its slave points.
+   *
+   * A rigid tool is one face without edges, whose nodes are those of its frame:
+   * all ranks with slave points have it.
    */
   template <int dim>
   class MasterPatch
   {
   public:
-    /// @p owned are the master faces of this rank's cells.
-    MasterPatch(std::vector<SurfaceFace<dim>> owned,
-                const FaceShape<dim>         &shape,
-                const PairingTolerances      &tolerances,
-                const MPI_Comm               &communicator);
+    /// @p owned are the master faces of this rank's cells; where the master is
+    /// a rigid @p tool, the one that stands for it.
+    MasterPatch(std::vector<SurfaceFace<dim>>         owned,
+                const FaceShape<dim>                 &shape,
+                const PairingTolerances              &tolerances,
+                const MPI_Comm                       &communicator,
+                std::shared_ptr<const RigidTool<dim>> tool = {});
 
     /**
      * Collects the faces within search distance plus @p margin of the
@@ -136,11 +142,38 @@ namespace stickslip
       return old[f];
     }
 
+    /// Of faces; a rigid tool has none.
     const FaceShape<dim> &
     face_shape() const
     {
       return shape;
     }
+
+    /// The rigid tool that is the master; nullptr: the master is meshed.
+    const RigidTool<dim> *
+    tool() const
+    {
+      return rigid_tool.get();
+    }
+
+    /// Number of nodes that a master point moves with.
+    unsigned int
+    n_face_nodes() const
+    {
+      return rigid_tool ? ToolFrame<dim>::n_nodes : shape.n_nodes();
+    }
+
+    /// Their shape functions at a place on a face.
+    void
+    evaluate_values(const unsigned int    chart,
+                    const Point<dim - 1> &xi,
+                    std::vector<double>  &N) const;
+
+    /// The master point of a pairing, in one of the configurations of its face.
+    void
+    evaluate(const Pairing<dim>             &pairing,
+             const MasterConfiguration<dim> &configuration,
+             MasterPoint<dim>               &point) const;
 
     const std::vector<SurfaceFace<dim>> &
     owned_faces() const
@@ -160,6 +193,7 @@ namespace stickslip
     RTree<Box>                            tree;
     const FaceShape<dim>                  shape;
     MPI_Comm                              communicator;
+    std::shared_ptr<const RigidTool<dim>> rigid_tool;
     double thickness_of_thinnest = 0.; ///< of the faces [length]
     double largest_motion        = 0.; ///< of a node in this step [length]
 

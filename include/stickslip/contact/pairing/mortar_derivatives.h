@@ -33,6 +33,17 @@ namespace stickslip
     const FaceShape<dim> displacement_shape;
     const FaceShape<dim> multiplier_shape;
 
+    /// Opposite a rigid tool, of the shares and of the sum of its normals.
+    void
+    add_tool_motion(const MortarNode<dim>                 &node,
+                    const MortarAverage<dim>              &average,
+                    const std::vector<MortarFace<dim>>    &faces,
+                    const std::vector<FaceSegments<dim>>  &segments,
+                    const std::vector<FaceIntegrals<dim>> &integrals,
+                    const MasterPatch<dim>                &patch,
+                    const bool                             partners_move,
+                    MortarDerivative<dim>                 &derivative) const;
+
     /// Derivative of the integrals of psi_l N(master), per master face:
     /// [master node][(slave nodes, master nodes) * dim].
     std::vector<FullMatrix<double>>

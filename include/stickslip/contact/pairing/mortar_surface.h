@@ -4,6 +4,7 @@
 #include <stickslip/contact/pairing/mortar_derivatives.h>
 #include <stickslip/contact/pairing/mortar_pairing.h>
 #include <stickslip/contact/pairing/surface_sides.h>
+#include <stickslip/contact/pairing/tool_pairing.h>
 #include <stickslip/contact/point/contact_parameters.h>
 #include <stickslip/contact/point/contact_points.h>
 #include <stickslip/contact/surface/hanging_nodes.h>
@@ -200,6 +201,7 @@ namespace stickslip
     const FaceShape<dim>            displacement_shape;
     const FaceShape<dim>            multiplier_shape;
     const SegmentRule<dim>          rule;
+    const ToolRule<dim>             tool_rule;
     const MortarIntegrals<dim>      integrals;
     const MortarDerivatives<dim>    derivatives;
     const CrossSection              cross_section;

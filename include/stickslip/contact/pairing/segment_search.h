@@ -18,6 +18,7 @@ namespace stickslip
     std::vector<FaceId>            master_ids;
     std::vector<SegmentPoint<dim>> points; ///< `master` counts in `masters`
     std::vector<SegmentEnd<dim>>   ends;   ///< likewise
+    bool is_partial = false; ///< only some points have the rigid tool opposite
   };
 
 

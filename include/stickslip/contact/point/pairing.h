@@ -21,6 +21,7 @@ namespace stickslip
     unsigned int face   = 0; ///< in the local patch
     FaceId       face_id;    ///< the same, everywhere
 
+    unsigned int    chart = 0; ///< of a rigid tool: that of xi
     Point<dim - 1>  xi;
     EdgeMotion<dim> free{};
 

@@ -21,6 +21,7 @@ namespace stickslip
     Point<dim - 1> xi;          ///< on the slave face
     Point<dim - 1> eta;         ///< on the master face
     unsigned int   master = 0;  ///< number of that face
+    unsigned int   chart  = 0;  ///< of a rigid tool: that of eta
     double         weight = 0.; ///< undeformed slave area
   };
 

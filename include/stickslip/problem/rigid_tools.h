@@ -1,0 +1,27 @@
+#ifndef stickslip_problem_rigid_tools_h
+#define stickslip_problem_rigid_tools_h
+
+#include <stickslip/contact/pairing/contact_pair.h>
+
+#include <stickslip/mesh/body.h>
+
+#include <set>
+
+namespace stickslip
+{
+  /**
+   * The surface of the rigid tool that was given with the @p parameters of a
+   * body below @p path, moving with the nodes of one of the cells behind
+   * @p boundary. Throws UserError (same on all ranks) if there is no such
+   * surface. Collective.
+   */
+  template <int dim>
+  ToolMaster<dim>
+  make_tool_master(const BodyParameters               &parameters,
+                   const std::string                  &path,
+                   const std::set<types::boundary_id> &boundary,
+                   const DoFHandler<dim>              &dof_handler,
+                   const MPI_Comm                     &communicator);
+} // namespace stickslip
+
+#endif
