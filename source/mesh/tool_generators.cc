@@ -101,18 +101,18 @@ namespace stickslip
             const std::vector<std::string> &values,
             const std::string              &path)
   {
-    // centre and half the edge length; nothing but the size of the model
-    // depends on them
-    Point<dim> centre;
-    double     half = 0.;
+    // Nothing depends on it but the size of the model. It lies on one side of
+    // an axis x = 0 of a body of revolution.
+    Point<dim> first;
+    double     size = 0.;
     if (generator == "tool_polyline" || generator == "tool_extruded" ||
         generator == "tool_revolved")
       {
         for (const auto &vertex : Utilities::split_string_list(values[0], ';'))
           for (const double x : tool_numbers(vertex, 0, path))
-            half = std::max(half, std::abs(x));
+            size = std::max(size, std::abs(x));
         if (generator != "tool_polyline")
-          centre =
+          first =
             tool_point<dim>(values[generator == "tool_extruded" ? 3 : 2], path);
       }
     else
@@ -121,17 +121,14 @@ namespace stickslip
           generator == "tool_cone"                                   ? 3
           : generator == "tool_circle" || generator == "tool_sphere" ? 1
                                                                      : 2;
-        centre = tool_point<dim>(values[0], path);
-        half   = 0.5 * tool_numbers(values[of_size], 1, path)[0];
+        first = tool_point<dim>(values[0], path);
+        size  = tool_numbers(values[of_size], 1, path)[0];
       }
-    if (!(half > 0.))
+    if (!(size > 0.))
       throw UserError(path + ": the tool has no size.");
-    Point<dim> first, last;
+    Point<dim> last = first;
     for (unsigned int d = 0; d < dim; ++d)
-      {
-        first[d] = centre[d] - half;
-        last[d]  = centre[d] + half;
-      }
+      last[d] += size;
     return {first, last};
   }
 

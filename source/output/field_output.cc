@@ -170,6 +170,12 @@ namespace stickslip
 
     FieldPatches<dim> data_out;
     data_out.attach_triangulation(dof_handler.get_triangulation());
+    // the cell of a tool is not what it looks like (ToolOutput)
+    data_out.set_cell_selection(
+      [this](const typename Triangulation<dim>::cell_iterator &c) {
+        return c->is_active() && c->is_locally_owned() &&
+               !bodies.bodies[bodies.body_of(c->material_id())].tool;
+      });
     data_out.add_data_vector(
       dof_handler,
       displacement,

@@ -83,6 +83,12 @@ namespace stickslip
           bodies.index_of(pair.slave_body, path + "/Slave body");
         const unsigned int master_body =
           bodies.index_of(pair.master_body, path + "/Master body");
+        const bool has_tool = bodies.bodies[master_body].tool.has_value();
+        if (pair.master_boundary.empty() && !has_tool)
+          throw UserError("'" + path +
+                          "/Master boundary' is missing: a contact pair needs "
+                          "Slave body, Slave boundary, Master body and Master "
+                          "boundary (unless that is a rigid tool).");
         const auto slave =
           pair.is_automatic
             ? pair.slave_ids
@@ -91,7 +97,7 @@ namespace stickslip
                                          path + "/Slave boundary");
         const auto master =
           pair.is_automatic ? pair.master_ids
-          : bodies.bodies[master_body].tool && pair.master_boundary.empty()
+          : has_tool && pair.master_boundary.empty()
             ? bodies.all_boundary_ids(master_body)
             : bodies.global_boundary_ids(pair.master_body,
                                          pair.master_boundary,
@@ -113,7 +119,7 @@ namespace stickslip
                           "': a rigid tool has no contact points. Let it be "
                           "the master.");
         ToolMaster<dim> tool;
-        if (bodies.bodies[master_body].tool)
+        if (has_tool)
           tool = make_tool_master(*bodies.bodies[master_body].tool,
                                   "Bodies/" + pair.master_body,
                                   master,

@@ -9,6 +9,7 @@ namespace stickslip
     : parameters(parameters)
     , field_output(parameters.output, bodies, communicator)
     , contact_output(parameters.output, communicator)
+    , tool_output(parameters.output, communicator)
     , point_values(parameters.output, bodies, communicator)
     , statistics(parameters.output.directory + "/statistics", communicator)
     , forces(parameters, communicator)
@@ -35,6 +36,7 @@ namespace stickslip
   {
     field_output.resume(time);
     contact_output.resume(time);
+    tool_output.resume(time);
     point_values.resume(time);
     statistics.resume(time);
     forces.resume(time);
@@ -66,6 +68,10 @@ namespace stickslip
                            cell_values);
         if (!parameters.contact_pairs.empty())
           contact_output.write(step, time, faces);
+        tool_output.write(step,
+                          time,
+                          problem.contact().contact_pairs(),
+                          displacement);
       }
     point_values.write(
       step, time, layout.dof_handler, displacement, material, faces);

@@ -7,6 +7,7 @@
 #include <stickslip/output/field_output.h>
 #include <stickslip/output/point_values.h>
 #include <stickslip/output/statistics_table.h>
+#include <stickslip/output/tool_output.h>
 
 #include <stickslip/problem/contact_problem.h>
 
@@ -55,6 +56,7 @@ namespace stickslip
     const CaseParameters &parameters;
     FieldOutput<dim>      field_output;
     ContactOutput<dim>    contact_output;
+    ToolOutput<dim>       tool_output;
     PointValues<dim>      point_values;
 
   public:

@@ -61,9 +61,7 @@ namespace stickslip
   {
     if (!rigid_tool)
       return shape.evaluate_values(xi, N);
-    FaceShapeValues<dim> values;
-    rigid_tool->frame.shape_at(rigid_tool->surface.evaluate(chart, xi), values);
-    N = values.value;
+    N = rigid_tool->frame.weights(rigid_tool->surface.evaluate(chart, xi).x);
   }
 
 

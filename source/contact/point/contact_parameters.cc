@@ -215,7 +215,6 @@ namespace stickslip
     require(!slave_body.empty(), "Slave body");
     require(!slave_boundary.empty(), "Slave boundary");
     require(!master_body.empty(), "Master body");
-    require(!master_boundary.empty(), "Master boundary");
     if (friction != Friction::Coulomb && friction_coefficient > 0.)
       throw UserError("'" + path +
                       "/Friction coefficient' is given, but 'Friction = " +

@@ -1,5 +1,6 @@
 #include <stickslip/contact/surface/tool_frame.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace stickslip
@@ -10,7 +11,8 @@ namespace stickslip
     /// tool, and there are none where the frame is rigid.
     constexpr unsigned int n_projection_iterations = 20;
 
-    /// Angle from the normal that is roundoff, for a gap as large as the tool.
+    /// Tangential distance that is roundoff, over the distances of the points
+    /// and the frame from the origin.
     constexpr double normal_roundoff = 1e-13;
 
 
@@ -118,6 +120,9 @@ namespace stickslip
     auto foot = surface.closest(frame.undisplaced(positions, x_s));
     if (!foot.found)
       return foot;
+    double size = x_s.norm();
+    for (const auto &node : positions)
+      size = std::max(size, node.norm());
     MasterPoint<dim> at;
     for (unsigned int i = 0; i < n_projection_iterations; ++i)
       {
@@ -130,8 +135,7 @@ namespace stickslip
           {
             slope[d]  = r * at.a[d];
             is_normal = is_normal && std::abs(slope[d]) <=
-                                       normal_roundoff * at.a[d].norm() *
-                                         (r.norm() + at.x.norm() + x_s.norm());
+                                       normal_roundoff * at.a[d].norm() * size;
             for (unsigned int e = 0; e < dim - 1; ++e)
               jacobian[d][e] = at.a[d] * at.a[e] - r * at.x_ab[d][e];
           }

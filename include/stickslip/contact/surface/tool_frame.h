@@ -26,6 +26,16 @@ namespace stickslip
 
     static constexpr unsigned int n_nodes = dim + 1;
 
+    /// Of the nodes, for a point of the undisplaced tool.
+    std::vector<double>
+    weights(const Point<dim> &X) const
+    {
+      std::vector<double> weights = first_weights;
+      for (unsigned int j = 0; j < n_nodes; ++j)
+        weights[j] += weight_gradients[j] * X;
+      return weights;
+    }
+
     /// Weights of the nodes, and their derivatives with respect to xi, at a
     /// place on the surface.
     void
