@@ -222,7 +222,7 @@ namespace stickslip
         local_tangent(this->element_of(pair, point),
                       state,
                       linearize_geometry &&
-                        pair.parameters.has_smoothed_normals(),
+                        pair.has_smoothed_normals(),
                       local);
         keep_undetermined_Lambda(
           point,
