@@ -161,48 +161,46 @@ namespace stickslip
   template <int dim>
   void
   MortarDerivatives<dim>::add_tool_motion(
-    const MortarNode<dim>                 &node,
-    const MortarAverage<dim>              &average,
-    const std::vector<MortarFace<dim>>    &faces,
-    const std::vector<FaceSegments<dim>>  &segments,
-    const std::vector<FaceIntegrals<dim>> &integrals,
-    const MasterPatch<dim>                &patch,
-    const bool                             partners_move,
-    MortarDerivative<dim>                 &derivative) const
+    const MortarNode<dim>                  &node,
+    const typename MortarNode<dim>::Around &around,
+    const MortarAverage<dim>               &average,
+    const MortarFace<dim>                  &slave,
+    const FaceSegments<dim>                &segments,
+    const FaceIntegrals<dim>               &integrals,
+    const MasterPatch<dim>                 &patch,
+    const bool                              has_normal_of_tool,
+    const bool                              partners_move,
+    MortarDerivative<dim>                  &derivative) const
   {
     const unsigned int  n       = displacement_shape.n_nodes();
     const unsigned int  n_slave = node.n_stencil_nodes();
     std::vector<double> L;
     ToolMotion<dim>     motion;
-    for (const auto &around : node.faces)
-      for (const auto &point : segments[around.face].points)
-        {
-          multiplier_shape.evaluate_values(point.xi, L);
-          const double psi =
-            point.weight *
-            combination(integrals[around.face].weighting, around.multiplier, L);
-          if (psi == 0.)
-            continue;
-          motion.evaluate(displacement_shape,
-                          faces[around.face],
-                          point,
-                          patch,
-                          partners_move);
-          for (unsigned int k = 0; k < motion.D_n.size(); ++k)
-            {
-              const unsigned int column_node =
-                k / dim < n ? around.stencil[k / dim] : n_slave + k / dim - n;
-              const auto D_n = psi * node.projection * motion.D_n[k];
-              for (unsigned int i = 0; i < dim; ++i)
-                derivative.D_normal[column_node][i][k % dim] += D_n[i];
-              const unsigned int column = column_node * dim + k % dim;
-              for (unsigned int l = 0; l < average.n_master_nodes(); ++l)
-                for (unsigned int d = 0; d < dim - 1; ++d)
-                  derivative.D_M(l, column) +=
-                    psi * motion.master.shape.gradient[l][d] *
-                    motion.D_xi[d][k];
-            }
-        }
+    for (const auto &point : segments.points)
+      {
+        multiplier_shape.evaluate_values(point.xi, L);
+        const double psi =
+          point.weight * combination(integrals.weighting, around.multiplier, L);
+        if (psi == 0.)
+          continue;
+        motion.evaluate(displacement_shape, slave, point, patch, partners_move);
+        for (unsigned int k = 0; k < motion.D_n.size(); ++k)
+          {
+            const unsigned int c = k % dim, i = k / dim;
+            const unsigned int of_node =
+              i < n ? around.stencil[i] : n_slave + i - n;
+            if (has_normal_of_tool)
+              {
+                const auto D_n = psi * node.projection * motion.D_n[k];
+                for (unsigned int j = 0; j < dim; ++j)
+                  derivative.D_normal[of_node][j][c] += D_n[j];
+              }
+            for (unsigned int l = 0; l < average.n_master_nodes(); ++l)
+              for (unsigned int d = 0; d < dim - 1; ++d)
+                derivative.D_M(l, of_node * dim + c) +=
+                  psi * motion.master.shape.gradient[l][d] * motion.D_xi[d][k];
+          }
+      }
   }
 
 
@@ -225,7 +223,7 @@ namespace stickslip
                           (n_slave + average.n_master_nodes()) * dim);
     derivative.D_normal.assign(n_slave + average.n_master_nodes(),
                                Tensor<2, dim>());
-    if (frame.is_of_corner && average.paired)
+    if (frame.is_of_corner && average.paired && patch.tool() == nullptr)
       add_corner_normal_derivative(displacement_shape,
                                    node,
                                    average,
@@ -236,19 +234,6 @@ namespace stickslip
                                    derivative.D_normal);
     derivative.D_D.reinit(0, 0);
     derivative.D_area.clear();
-    if (patch.tool() != nullptr)
-      {
-        if (average.paired)
-          add_tool_motion(node,
-                          average,
-                          faces,
-                          segments,
-                          integrals,
-                          patch,
-                          partners_move,
-                          derivative);
-        return;
-      }
     const MasterNumbers numbers = master_numbers(average);
     for (const auto &around : node.faces)
       {
@@ -266,7 +251,18 @@ namespace stickslip
               derivative.D_normal[around.stencil[k]] +=
                 node.projection * D_node_normal[k];
           }
-        if (!average.paired || !partners_move)
+        if (average.paired && patch.tool() != nullptr)
+          add_tool_motion(node,
+                          around,
+                          average,
+                          slave,
+                          of_face,
+                          integrals[around.face],
+                          patch,
+                          frame.is_of_corner,
+                          partners_move,
+                          derivative);
+        if (!average.paired || !partners_move || patch.tool() != nullptr)
           continue;
 
         const std::vector<FullMatrix<double>> D_M =

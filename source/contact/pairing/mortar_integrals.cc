@@ -41,6 +41,22 @@ namespace stickslip
                                       Quadrature<dim - 1>(places),
                                       areas);
     }
+
+
+
+    /// The weighting functions of a face. Few points of it may be opposite a
+    /// tool: they are not made dual there.
+    template <int dim>
+    FullMatrix<double>
+    weighting_of(const MortarFace<dim>   &slave,
+                 const FaceSegments<dim> &segments,
+                 const FaceShape<dim>    &multiplier_shape)
+    {
+      return segments.is_partial ? slave.extended
+             : segments.ends.empty()
+               ? slave.weighting
+               : weighting_on(slave, multiplier_shape, segments.points);
+    }
   } // namespace
 
 
@@ -76,52 +92,60 @@ namespace stickslip
                                  const MasterPatch<dim> &patch) const
   {
     MortarFrame<dim> frame;
-    if (!node.is_corner ||
-        !find_corner_normal(
-          displacement_shape, node, faces, segments, patch, frame))
+    const auto       find_normal_of_corner = [&] {
+      return patch.tool() != nullptr
+                     ? find_tool_normal(node, faces, segments, patch, frame)
+                     : find_corner_normal(
+                   displacement_shape, node, faces, segments, patch, frame);
+    };
+    if (!node.is_corner || !find_normal_of_corner())
       average_normals(node, faces, frame);
-    set_tangents(node, faces, frame);
-    return frame;
-  }
-
-
-
-  template <int dim>
-  MortarFrame<dim>
-  MortarIntegrals<dim>::tool_frame_at(
-    const MortarNode<dim>                 &node,
-    const std::vector<MortarFace<dim>>    &faces,
-    const std::vector<FaceIntegrals<dim>> &integrals) const
-  {
-    MortarFrame<dim> frame;
-    for (const auto &around : node.faces)
-      frame.n += integrals[around.face].normal[around.multiplier];
-    frame.n      = node.projection * frame.n;
-    frame.length = frame.n.norm();
-    if (frame.length > least_share * node.area)
-      frame.n /= frame.length;
-    else // it has no partner
-      {
-        frame.n = Tensor<1, dim>();
-        average_normals(node, faces, frame);
-      }
-    set_tangents(node, faces, frame);
-    return frame;
-  }
-
-
-
-  template <int dim>
-  void
-  MortarIntegrals<dim>::set_tangents(const MortarNode<dim>              &node,
-                                     const std::vector<MortarFace<dim>> &faces,
-                                     MortarFrame<dim> &frame) const
-  {
     Tensor<1, dim> direction;
     for (unsigned int k = 0; k < node.faces.front().stencil.size(); ++k)
       direction += node.direction[node.faces.front().stencil[k]] *
                    faces[node.faces.front().face].positions[k];
     frame.tau = tangent_basis<dim>(frame.n, direction);
+    return frame;
+  }
+
+
+
+  template <int dim>
+  bool
+  MortarIntegrals<dim>::find_tool_normal(
+    const MortarNode<dim>                &node,
+    const std::vector<MortarFace<dim>>   &faces,
+    const std::vector<FaceSegments<dim>> &segments,
+    const MasterPatch<dim>               &patch,
+    MortarFrame<dim>                     &frame) const
+  {
+    Tensor<1, dim>      sum;
+    std::vector<double> L;
+    MasterPoint<dim>    on_tool;
+    for (const auto &around : node.faces)
+      for (const auto &point : segments[around.face].points)
+        {
+          multiplier_shape.evaluate_values(point.xi, L);
+          patch.tool()->evaluate(patch.configuration(0).positions,
+                                 point.chart,
+                                 point.eta,
+                                 on_tool);
+          sum += point.weight *
+                 combination(weighting_of(faces[around.face],
+                                          segments[around.face],
+                                          multiplier_shape),
+                             around.multiplier,
+                             L) *
+                 on_tool.n;
+        }
+    sum                 = node.projection * sum;
+    const double length = sum.norm();
+    if (length < least_share * node.area)
+      return false;
+    frame.n            = sum / length;
+    frame.length       = length;
+    frame.is_of_corner = true;
+    return true;
   }
 
 
@@ -171,30 +195,13 @@ namespace stickslip
     integrals.D.reinit(n_multipliers, n_nodes);
     integrals.M.assign(segments.masters.size(),
                        FullMatrix<double>(n_multipliers, n_master));
-    // few points of a face may be opposite a tool: no dual functions there
-    integrals.weighting =
-      segments.is_partial ? slave.extended
-      : segments.ends.empty()
-        ? slave.weighting
-        : weighting_on(slave, multiplier_shape, segments.points);
+    integrals.weighting = weighting_of(slave, segments, multiplier_shape);
     std::vector<double> L, N, N_master;
-    MasterPoint<dim>    on_tool;
-    if (patch.tool() != nullptr)
-      integrals.normal.resize(n_multipliers);
     for (const auto &point : segments.points)
       {
         multiplier_shape.evaluate_values(point.xi, L);
         displacement_shape.evaluate_values(point.xi, N);
-        if (patch.tool() != nullptr)
-          {
-            patch.tool()->evaluate(patch.configuration(0).positions,
-                                   point.chart,
-                                   point.eta,
-                                   on_tool);
-            N_master = on_tool.shape.value;
-          }
-        else
-          displacement_shape.evaluate_values(point.eta, N_master);
+        patch.evaluate_values(point.chart, point.eta, N_master);
         for (unsigned int l = 0; l < n_multipliers; ++l)
           {
             const double psi =
@@ -207,8 +214,6 @@ namespace stickslip
               integrals.D(l, k) += psi * N[k];
             for (unsigned int k = 0; k < n_master; ++k)
               integrals.M[point.master](l, k) += psi * N_master[k];
-            if (patch.tool() != nullptr)
-              integrals.normal[l] += psi * on_tool.n;
           }
       }
     return integrals;

@@ -314,16 +314,9 @@ namespace stickslip
   {
     const auto pairing = std::make_shared<MortarPairing<dim>>();
     pairing->segments  = kept ? kept : find_all_segments(patch);
-    std::vector<FaceIntegrals<dim>> over_tool;
-    if (patch.tool() != nullptr)
-      for (unsigned int f = 0; f < faces.size(); ++f)
-        over_tool.push_back(
-          integrals.integrate(faces[f], (*pairing->segments)[f], patch));
     for (const auto &node : nodes)
       pairing->frames.push_back(
-        patch.tool() != nullptr
-          ? integrals.tool_frame_at(node, faces, over_tool)
-          : integrals.frame_at(node, faces, *pairing->segments, patch));
+        integrals.frame_at(node, faces, *pairing->segments, patch));
     return pairing;
   }
 
@@ -365,19 +358,6 @@ namespace stickslip
     pairing.tau  = current->frames[i].tau;
     pairing.free = everywhere<dim>();
     return pairing;
-  }
-
-
-
-  template <int dim>
-  std::vector<unsigned int>
-  MortarSurface<dim>::masters_of(const unsigned int i) const
-  {
-    std::set<unsigned int> masters;
-    for (const auto &around : nodes[i].faces)
-      for (const unsigned int m : (*current->segments)[around.face].masters)
-        masters.insert(m);
-    return {masters.begin(), masters.end()};
   }
 
 

@@ -33,16 +33,19 @@ namespace stickslip
     const FaceShape<dim> displacement_shape;
     const FaceShape<dim> multiplier_shape;
 
-    /// Opposite a rigid tool, of the shares and of the sum of its normals.
+    /// Adds what a rigid tool and a face around the node change: the shares
+    /// and, if @p has_normal_of_tool, the normal.
     void
-    add_tool_motion(const MortarNode<dim>                 &node,
-                    const MortarAverage<dim>              &average,
-                    const std::vector<MortarFace<dim>>    &faces,
-                    const std::vector<FaceSegments<dim>>  &segments,
-                    const std::vector<FaceIntegrals<dim>> &integrals,
-                    const MasterPatch<dim>                &patch,
-                    const bool                             partners_move,
-                    MortarDerivative<dim>                 &derivative) const;
+    add_tool_motion(const MortarNode<dim>                  &node,
+                    const typename MortarNode<dim>::Around &around,
+                    const MortarAverage<dim>               &average,
+                    const MortarFace<dim>                  &slave,
+                    const FaceSegments<dim>                &segments,
+                    const FaceIntegrals<dim>               &integrals,
+                    const MasterPatch<dim>                 &patch,
+                    const bool                              has_normal_of_tool,
+                    const bool                              partners_move,
+                    MortarDerivative<dim>                  &derivative) const;
 
     /// Derivative of the integrals of psi_l N(master), per master face:
     /// [master node][(slave nodes, master nodes) * dim].

@@ -19,8 +19,6 @@ namespace stickslip
     std::vector<double>             variation; ///< of |psi_l|
     FullMatrix<double>              D;         ///< psi_l N_k: [l][slave node]
     std::vector<FullMatrix<double>> M;         ///< [master][l][master node]
-    /// Of psi_l n, where n is the normal into a rigid tool; else empty.
-    std::vector<Tensor<1, dim>> normal;
   };
 
 
@@ -48,14 +46,6 @@ namespace stickslip
              const std::vector<FaceSegments<dim>> &segments,
              const MasterPatch<dim>               &patch) const;
 
-    /// Opposite a rigid tool: from its normals, with the weights that the node
-    /// averages positions with, so that pressure on a round tool has no moment
-    /// about its axis. From the @p integrals of all faces.
-    MortarFrame<dim>
-    tool_frame_at(const MortarNode<dim>                 &node,
-                  const std::vector<MortarFace<dim>>    &faces,
-                  const std::vector<FaceIntegrals<dim>> &integrals) const;
-
     FaceIntegrals<dim>
     integrate(const MortarFace<dim>   &slave,
               const FaceSegments<dim> &segments,
@@ -70,10 +60,14 @@ namespace stickslip
             const MasterPatch<dim>                &patch) const;
 
   private:
-    void
-    set_tangents(const MortarNode<dim>              &node,
-                 const std::vector<MortarFace<dim>> &faces,
-                 MortarFrame<dim>                   &frame) const;
+    /// The mean of a rigid tool's normals opposite a corner, with the weights
+    /// that the node averages positions with; false: there are none.
+    bool
+    find_tool_normal(const MortarNode<dim>                &node,
+                     const std::vector<MortarFace<dim>>   &faces,
+                     const std::vector<FaceSegments<dim>> &segments,
+                     const MasterPatch<dim>               &patch,
+                     MortarFrame<dim>                     &frame) const;
 
     void
     average_normals(const MortarNode<dim>              &node,

@@ -157,7 +157,14 @@ namespace stickslip
 
     /// Master faces opposite node @p i, numbers in the patch, sorted.
     std::vector<unsigned int>
-    masters_of(const unsigned int i) const;
+    masters_of(const unsigned int i) const
+    {
+      std::set<unsigned int> masters;
+      for (const auto &around : nodes[i].faces)
+        for (const unsigned int m : segments(around.face).masters)
+          masters.insert(m);
+      return {masters.begin(), masters.end()};
+    }
 
     /// Derivative of the averages of node @p i.
     void
