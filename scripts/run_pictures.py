@@ -183,7 +183,7 @@ class RunPictures:
             figure.text(0.985, 0.965, f"t = {number(step.time)}    step {step.number}", fontsize=17, va="center", ha="right",
                         family="DejaVu Sans Mono")
             has_contact = contact is not None and bool(self.shown_pairs)
-            self._draw_bodies(figure, bodies, contact, 0.56 if has_contact else 0.92)
+            self._draw_bodies(figure, step, bodies, contact, 0.56 if has_contact else 0.92)
             if has_contact:
                 (self._draw_curves if self.is_flat else self._draw_surfaces)(figure, contact)
         return figure
@@ -197,7 +197,17 @@ class RunPictures:
         """A line is at least a pixel wide: in small pictures it is paler instead."""
         return opacity * min(1.0, self.options.dpi / 130)
 
-    def _draw_bodies(self, figure, grid, contact, width):
+    def _tools(self, step, size):
+        """Lines of the tools that have no mesh."""
+        drawn = self.run.tools.at_step(step.number)
+        if drawn is None or drawn.vtk().GetNumberOfCells() == 0:
+            return []
+        tools = warped(drawn.vtk(), self.factor)
+        if self.is_flat:
+            return [line_actor(surface_of(tools), (0.25, 0.25, 0.25), 5. * size[1] / 1300)]
+        return [line_actor(cell_edges(tools), (0.25, 0.25, 0.25), 1., self._edge_opacity(0.5))]
+
+    def _draw_bodies(self, figure, step, grid, contact, width):
         box = [0.015, 0.05, width - 0.07, 0.83]
         axes = figure.add_axes(box)
         axes.axis("off")
@@ -209,6 +219,7 @@ class RunPictures:
             add_scalar(surface, self.options.field, self.options.component)
             actors += [surface_actor(surface, table, self.is_flat), line_actor(cell_edges(part), (0.1, 0.1, 0.1), 1., self._edge_opacity(0.35)),
                        line_actor(outline_edges(surface), (0.05, 0.05, 0.05), 2.5 * size[1] / 1300)]
+        actors += self._tools(step, size)
         direction, up = self._body_view()
         image, pixel = picture_of(actors, size, direction, up, self.bounds.ravel())
         axes.imshow(image, interpolation="antialiased")

@@ -67,6 +67,21 @@ def test_ties(runs):
         compare(runs, name, "tied")
 
 
+def test_tools(runs):
+    """A block is dragged over a round tool without facets that turns; with the default rule and with points."""
+    tool = ["Bodies/lower/Generator=tool_circle", "Bodies/lower/Arguments=1.25, -9 : 10", "Contact/interface/Master boundary=all",
+            *(f"Boundary conditions/foundation/{text}" for text in (
+                "Type=rigid motion", "Boundary=", "Value=", "Rotation angle=2*max(t-1, 0)", "Rotation centre=1.25, -9"))]
+    for rule in "segments", "Gauss":
+        options = [*tool, f"Contact/interface/Quadrature={rule}"]
+        printed = runs.run(f"tool-{rule}", 1, options=options + SHORT)
+        for n_ranks, other in [(2, 1), (1, 2)]:
+            name = f"tool-{rule}-{n_ranks}-{other}"
+            runs.run(name, n_ranks, options=options + ["Load stepping/End time=2"])
+            check(runs.run(name, other, "latest", options + SHORT) == printed, f"{name} prints the same")
+            compare(runs, name, f"tool-{rule}")
+
+
 def test_reference_points(runs):
     """A boundary that a force drives and that may tilt: where it is follows from the displacements."""
     options = [f"Boundary conditions/drag/{text}" for text in (
@@ -279,7 +294,7 @@ def test_refused(runs):
 
 def main():
     runs = Runs(sys.argv[1], pathlib.Path(sys.argv[2]))
-    for test in (test_partitions, test_simplices, test_ties, test_reference_points, test_axisymmetric, test_adapted, test_path_dependence, test_algorithms, test_fallback, test_cuts_and_growth,
+    for test in (test_partitions, test_simplices, test_ties, test_tools, test_reference_points, test_axisymmetric, test_adapted, test_path_dependence, test_algorithms, test_fallback, test_cuts_and_growth,
                  test_failed_run, test_directory, test_refused):
         test(runs)
     print(f"{len(failures)} comparisons failed")

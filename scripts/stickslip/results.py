@@ -45,6 +45,8 @@ class Results:
             setattr(self, name, self.table(f"{name}.csv"))
         self.bodies = FieldSeries(self.directory, "solution")
         self.contact = FieldSeries(self.directory, "contact")
+        #: Rigid tools without facets, as pieces of their surfaces.
+        self.tools = FieldSeries(self.directory, "tools")
         if not (self.log.exists or self.statistics or self.bodies.steps):
             raise ResultsError(f"'{directory}' is not the output directory of a run: it has neither convergence.log "
                                "nor statistics.csv nor solution.pvd.")

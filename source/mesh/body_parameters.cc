@@ -24,8 +24,10 @@ namespace stickslip
                       generator,
                       "Name of a mesh generator, for instance hyper_rectangle: "
                       "deal.II's GridGenerator functions and our own "
-                      "graded_hyper_rectangle, annular_sector and "
-                      "graded_annular_sector. Give this or Mesh file.");
+                      "graded_hyper_rectangle, annular_sector, "
+                      "graded_annular_sector and, for rigid tools without a "
+                      "mesh, tool_plane, tool_cylinder and so on. Give this or "
+                      "Mesh file.");
     prm.add_parameter(
       "Arguments",
       arguments,

@@ -48,6 +48,16 @@ namespace stickslip
           {"subdivided_hyper_cube", {"2", "2"}},
           {"subdivided_hyper_rectangle",
            {"2, 2 : 0, 0 : 2, 1", "2, 2, 2 : 0, 0, 0 : 2, 1, 3"}},
+          {"tool_circle", {"0, 0 : 1", ""}},
+          {"tool_cone", {"", "0, 0, 0 : 0, 0, 1 : 30 : 2 : 0.1"}},
+          {"tool_cylinder", {"", "0, 0, 0 : 0, 0, 1 : 1 : 4"}},
+          {"tool_extruded", {"", "0, 0, 0.1; 1, 0, 0.1; 0, 1, 0.1 : true : 2"}},
+          {"tool_plane", {"0, 0 : 0, 1 : 2", "0, 0, 0 : 0, 0, 1 : 2"}},
+          {"tool_polyline", {"0, 0, 0.1; 1, 0, 0.1; 0, 1, 0.1", ""}},
+          {"tool_revolved", {"", "0, 0, 0.1; 1, 0, 0.1; 1, 1"}},
+          {"tool_rounded_cylinder", {"", "0, 0, 0 : 0, 0, 1 : 1 : 4 : 0.2"}},
+          {"tool_sphere", {"", "0, 0, 0 : 1"}},
+          {"tool_torus", {"", "0, 0, 0 : 0, 0, 1 : 2 : 0.5"}},
           {"torus", {"", "2 : 0.5"}}};
       const auto found = examples.find(name);
       return found == examples.end() ? ""

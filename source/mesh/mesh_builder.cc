@@ -36,17 +36,15 @@ namespace stickslip
     {
       const unsigned int index = bodies.bodies.size();
       Body               body;
-      body.name     = name;
-      body.is_rigid = parameters.moves_as_a_whole();
-      if (parameters.is_tool())
-        body.tool = parameters;
+      body.name       = name;
+      body.is_rigid   = parameters.moves_as_a_whole();
+      body.parameters = parameters;
       body.boundaries = body_mesh.boundaries;
       const auto ids  = body_mesh.triangulation.get_boundary_ids();
       body.boundary_ids.insert(ids.begin(), ids.end());
       bodies.bodies.push_back(body);
       for (const std::string &material : body_mesh.materials)
         bodies.regions.push_back(Region{index, material});
-
       std::map<types::boundary_id, types::boundary_id> global_ids;
       for (const types::boundary_id id : body.boundary_ids)
         global_ids[id] = bodies.global_boundary_id(index, id);

@@ -30,7 +30,7 @@ namespace stickslip
       {"tool_extruded", 3, {vertices, {"closed", "true", "true"}, {"length", "", ""}, origin, {"axis", "0, 1, 0", "0, 1, 0"},
                             {"direction of x", "1, 0, 0", "1, 0, 0"}}, true},
       {"tool_plane", 0, {centre, {"outward direction", "", ""}, {"edge length", "", ""}}, true},
-      {"tool_polyline", 2, {vertices, {"closed", "true", ""}}, true},
+      {"tool_polyline", 2, {vertices, {"closed", "true", "true"}}, true},
       {"tool_revolved", 3, {vertices, {"closed", "false", "false"}, origin, {"axis", "0, 0, 1", "0, 0, 1"}}, true},
       {"tool_rounded_cylinder", 3, {centre, axis, radius, {"length", "", ""}, {"edge radius", "", ""}}, true},
       {"tool_sphere", 3, {centre, radius, side}, true},

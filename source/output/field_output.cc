@@ -174,7 +174,8 @@ namespace stickslip
     data_out.set_cell_selection(
       [this](const typename Triangulation<dim>::cell_iterator &c) {
         return c->is_active() && c->is_locally_owned() &&
-               !bodies.bodies[bodies.body_of(c->material_id())].tool;
+               !bodies.bodies[bodies.body_of(c->material_id())]
+                  .parameters.is_tool();
       });
     data_out.add_data_vector(
       dof_handler,

@@ -4,6 +4,8 @@
 
 #include <deal.II/base/data_out_base.h>
 
+#include <deal.II/grid/reference_cell.h>
+
 #include <algorithm>
 #include <set>
 #include <string>
@@ -45,8 +47,9 @@ namespace stickslip
         for (const auto &cell : picture.cells)
           {
             Patch patch;
-            patch.patch_index          = patches.size();
-            patch.n_subdivisions       = 1;
+            patch.patch_index    = patches.size();
+            patch.reference_cell = ReferenceCells::get_hypercube<dim - 1>();
+            patch.n_subdivisions = 1;
             patch.points_are_available = false;
             patch.data.reinit(dim, cell.size());
             for (unsigned int v = 0; v < cell.size(); ++v)

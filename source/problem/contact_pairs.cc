@@ -83,8 +83,8 @@ namespace stickslip
           bodies.index_of(pair.slave_body, path + "/Slave body");
         const unsigned int master_body =
           bodies.index_of(pair.master_body, path + "/Master body");
-        const bool has_tool = bodies.bodies[master_body].tool.has_value();
-        if (pair.master_boundary.empty() && !has_tool)
+        const bool has_tool = bodies.bodies[master_body].parameters.is_tool();
+        if (!pair.is_automatic && pair.master_boundary.empty() && !has_tool)
           throw UserError("'" + path +
                           "/Master boundary' is missing: a contact pair needs "
                           "Slave body, Slave boundary, Master body and Master "
@@ -114,13 +114,13 @@ namespace stickslip
                               bodies.all_boundary_ids(master_body),
                               {},
                               bodies.cross_section};
-        if (bodies.bodies[slave_body].tool)
+        if (bodies.bodies[slave_body].parameters.is_tool())
           throw UserError("'" + path + "/Slave body = " + pair.slave_body +
                           "': a rigid tool has no contact points. Let it be "
                           "the master.");
         ToolMaster<dim> tool;
         if (has_tool)
-          tool = make_tool_master(*bodies.bodies[master_body].tool,
+          tool = make_tool_master(bodies.bodies[master_body].parameters,
                                   "Bodies/" + pair.master_body,
                                   master,
                                   dofs.dof_handler,

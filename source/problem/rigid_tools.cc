@@ -12,7 +12,9 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
-#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace stickslip
 {

@@ -8,7 +8,6 @@
 
 #include <deal.II/base/types.h>
 
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -25,9 +24,8 @@ namespace stickslip
     /// The body's own ids, only those with faces.
     std::set<types::boundary_id> boundary_ids;
     /// What the user may call them.
-    LabelledIds boundaries = LabelledIds();
-    /// Of a rigid tool: how it was given.
-    std::optional<BodyParameters> tool = {};
+    LabelledIds    boundaries = LabelledIds();
+    BodyParameters parameters = {}; ///< how it was made
   };
 
   /// Cells of one body with one material: what cell->material_id() points to.

@@ -6,6 +6,7 @@
 #include <stickslip/mesh/body.h>
 
 #include <set>
+#include <string>
 
 namespace stickslip
 {

@@ -221,8 +221,7 @@ namespace stickslip
       {
         local_tangent(this->element_of(pair, point),
                       state,
-                      linearize_geometry &&
-                        pair.has_smoothed_normals(),
+                      linearize_geometry && pair.has_smoothed_normals(),
                       local);
         keep_undetermined_Lambda(
           point,

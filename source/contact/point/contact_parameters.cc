@@ -60,10 +60,11 @@ namespace stickslip
                       "Boundary ids or names of the slave body. all: its "
                       "whole boundary.");
     prm.add_parameter("Master body", master_body, "Body that is projected on.");
-    prm.add_parameter("Master boundary",
-                      master_boundary,
-                      "Boundary ids or names of the master body. all: its "
-                      "whole boundary.");
+    prm.add_parameter(
+      "Master boundary",
+      master_boundary,
+      "Boundary ids or names of the master body. all: its "
+      "whole boundary. A rigid tool without a mesh needs none.");
     add_choice(prm,
                "Law",
                law,
