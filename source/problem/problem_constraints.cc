@@ -256,10 +256,12 @@ namespace stickslip
     boundary_conditions.add_prescribed_displacements(
       dofs.mapping, dofs.dof_handler, time, displacement, lines);
     lines.close();
+    // Not +=: a rank that adds to a vector of which values have been set
+    // communicates, and a rank without rigid bodies does not.
     for (const auto i : rigid_dofs)
       if (lines.is_inhomogeneously_constrained(i))
-        displacement(i) += lines.get_inhomogeneity(i);
-    displacement.compress(VectorOperation::add);
+        displacement(i) = displacement(i) + lines.get_inhomogeneity(i);
+    displacement.compress(VectorOperation::insert);
     make_rigid(time, displacement);
     for (const auto &coupling : rigid_couplings)
       if (boundary_conditions.drives_rigid_body(coupling.condition().body))
