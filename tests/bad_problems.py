@@ -285,29 +285,6 @@ CASES = {
         "unheld_block.prm", body("block", "Generator = hyper_shell", "Arguments = 0, 0 : 2 : 1"), WRONG_INPUT, ["Bodies/block/Arguments", "inner radius < outer radius", "2 and 1"]),
     "a sector turned inside out": (
         "unheld_block.prm", body("block", "Generator = annular_sector", "Arguments = 2 : 1 : 0 : 90 : 2 : 2"), WRONG_INPUT, ["Bodies/block/Arguments", "inner radius < outer radius"]),
-    "a tool of negative radius": (
-        "plate.prm", body("base", "Generator = tool_circle", "Arguments = 0, 0 : -1"), WRONG_INPUT, ["Bodies/base/Arguments", "'radius' is '-1'", "greater than 0"]),
-    "a tool without size": (
-        "plate.prm", body("base", "Generator = tool_polyline", "Arguments = 0, 0"), WRONG_INPUT, ["Bodies/base/Arguments", "no size"]),
-    "a side that a tool has not": (
-        "plate.prm", body("base", "Generator = tool_circle", "Arguments = 0, -9 : 9 : outside") + pair("Master boundary = all"),
-        WRONG_INPUT, ["Bodies/base/Arguments", "'outside' is no side", "inside, around"]),
-    "a corner of a tool without fillet": (
-        "plate.prm", body("base", "Generator = tool_polyline", "Arguments = 40, 0; 0, 0; 0, -9 : false") + pair("Master boundary = all"),
-        WRONG_INPUT, ["Bodies/base/Arguments", "fillet"]),
-    "a tool that is drawn by expressions": (
-        "plate.prm", body("base", "Generator = tool_circle", "Arguments = 0, -9 : 9", "Coordinates = x; 2*y"),
-        WRONG_INPUT, ["Bodies/base/Coordinates", "tool_circle"]),
-    "a tool as slave": (
-        "plate.prm", body("base", "Generator = tool_circle", "Arguments = 0, -9 : 9")
-        + pair("Slave body = base", "Slave boundary = all", "Master body = plate", "Master boundary = 2"),
-        WRONG_INPUT, ["Contact/base/Slave body = base", "no contact points"]),
-    "a tool among adapted meshes": (
-        "plate.prm", body("base", "Generator = tool_circle", "Arguments = 0, -9 : 9") + "subsection Adaptation\n set Estimator = Kelly\nend\n",
-        WRONG_INPUT, ["Adaptation/Estimator = Kelly", "Bodies/base/Generator = tool_circle"]),
-    "a cylinder in the plane": (
-        "plate.prm", body("base", "Generator = tool_cylinder", "Arguments = 0, 0, 0 : 0, 0, 1 : 1 : 1"),
-        WRONG_INPUT, ["Bodies/base/Generator", "'tool_cylinder' exists only in 3D"]),
     "graded positions that fall": ("plate.prm", body("plate", "Arguments = 1 |2| 0 : 0 |1| 1"), WRONG_INPUT, ["Bodies/plate/Arguments", "does not increase"]),
     "no shape": ("unheld_block.prm", body("block", "Generator =", "Arguments ="), WRONG_INPUT, ["Bodies/block", "'Generator'", "'Mesh file'"]),
     "two shapes": ("plate.prm", body("plate", "Mesh file = a.msh"), WRONG_INPUT, ["Bodies/plate", "'Generator", "'Mesh file", "Choose one"]),
