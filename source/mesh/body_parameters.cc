@@ -85,7 +85,7 @@ namespace stickslip
                       "Cuts each quadrilateral into 8 triangles, each "
                       "hexahedron into 24 tetrahedra, after the Refinements of "
                       "this body. All bodies of a model have to be made of one "
-                      "kind of cells.");
+                      "kind of cells; rigid tools ('tool_...') go with any.");
 
     prm.add_parameter("Scale",
                       scale,

@@ -6,6 +6,7 @@
 #include <stickslip/mesh/body_mesh.h>
 #include <stickslip/mesh/joined_mesh.h>
 #include <stickslip/mesh/local_refinement.h>
+#include <stickslip/mesh/mesh_checks.h>
 #include <stickslip/mesh/reference_cells.h>
 
 #include <deal.II/distributed/fully_distributed_tria.h>
@@ -162,31 +163,6 @@ namespace stickslip
 
 
 
-    /// Names of bodies and the cells that they are made of.
-    using KindsOfCells = std::vector<std::pair<std::string, ReferenceCell>>;
-
-
-
-    ReferenceCell
-    common_cell(const KindsOfCells &kinds)
-    {
-      const auto &[first_name, first] = kinds.front();
-      for (const auto &[name, cell] : kinds)
-        if (cell != first)
-          {
-            const auto &simple = cell.is_simplex() ? first_name : name;
-            throw UserError(
-              "Bodies/" + first_name + " is made of " + plural(first) +
-              ", Bodies/" + name + " of " + plural(cell) +
-              ": all bodies of a model have to be made of one kind of cells. "
-              "'Simplices = true' in Bodies/" +
-              simple + " cuts its cells.");
-          }
-      return first;
-    }
-
-
-
     /// What a cell costs: itself and its faces on costly surfaces.
     class CellCost
     {
@@ -324,17 +300,23 @@ namespace stickslip
     KindsOfCells    kinds;
     MeshFiles       files(parameters.input_directory, communicator);
     const MeshSize  size(dim, communicator);
-    for (const auto &[name, body] : body_parameters)
-      {
-        const std::string path = "Bodies/" + name;
-        body.check(path);
-        const auto body_mesh = make_body_mesh<dim>(body, path, files, size);
-        for (const std::string &warning : body_mesh->warnings)
-          if (!warning.empty())
-            mesh.warnings.push_back(warning);
-        kinds.emplace_back(name, reference_cell_of(body_mesh->triangulation));
-        append_body(name, body, *body_mesh, mesh.bodies, joined_mesh);
-      }
+    // Tools, whose cell is but a place for their motion, go with any kind.
+    for (const bool tools : {false, true})
+      for (auto [name, body] : body_parameters)
+        {
+          if (body.is_tool() != tools)
+            continue;
+          if (tools && !kinds.empty())
+            body.simplices = kinds.front().second.is_simplex();
+          const std::string path = "Bodies/" + name;
+          body.check(path);
+          const auto body_mesh = make_body_mesh<dim>(body, path, files, size);
+          for (const std::string &warning : body_mesh->warnings)
+            if (!warning.empty())
+              mesh.warnings.push_back(warning);
+          kinds.emplace_back(name, reference_cell_of(body_mesh->triangulation));
+          append_body(name, body, *body_mesh, mesh.bodies, joined_mesh);
+        }
 
     const ReferenceCell cell          = common_cell(kinds);
     const bool          has_simplices = cell.is_simplex();

@@ -1,6 +1,7 @@
 #include <stickslip/mesh/mesh_checks.h>
 
 #include <stickslip/base/user_error.h>
+#include <stickslip/mesh/reference_cells.h>
 
 #include <deal.II/base/geometry_info.h>
 
@@ -159,6 +160,26 @@ namespace stickslip
            ", lie on other ones: the mesh is open there, as along a crack, and "
            "the two sides can part and pass through each other. Merge the "
            "nodes if the body is whole.";
+  }
+
+
+
+  ReferenceCell
+  common_cell(const KindsOfCells &kinds)
+  {
+    const auto &[first_name, first] = kinds.front();
+    for (const auto &[name, cell] : kinds)
+      if (cell != first)
+        {
+          const auto &simple = cell.is_simplex() ? first_name : name;
+          throw UserError(
+            "Bodies/" + first_name + " is made of " + plural(first) +
+            ", Bodies/" + name + " of " + plural(cell) +
+            ": all bodies of a model have to be made of one kind of cells. "
+            "'Simplices = true' in Bodies/" +
+            simple + " cuts its cells.");
+        }
+    return first;
   }
 
 

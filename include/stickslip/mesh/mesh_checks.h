@@ -1,9 +1,11 @@
 #ifndef stickslip_mesh_mesh_checks_h
 #define stickslip_mesh_mesh_checks_h
 
+#include <deal.II/grid/reference_cell.h>
 #include <deal.II/grid/tria.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stickslip
@@ -37,6 +39,14 @@ namespace stickslip
   std::string
   warning_about_seams(const Triangulation<dim> &triangulation,
                       const std::string        &path);
+
+  /// Names of bodies and the cells that they are made of.
+  using KindsOfCells = std::vector<std::pair<std::string, ReferenceCell>>;
+
+  /// The cell that all bodies, one at least, are made of. Throws UserError if
+  /// there are two.
+  ReferenceCell
+  common_cell(const KindsOfCells &kinds);
 } // namespace stickslip
 
 #endif

@@ -52,8 +52,9 @@ namespace stickslip
   std::unique_ptr<Mapping<dim>>
   make_mapping(const ReferenceCell &cell, const unsigned int degree);
 
-  /// Gauss' rule, and that of its order on a simplex: exact for polynomials of
-  /// degree 2 @p n - 1. Simplices: @p n <= 4.
+  /// Gauss' rule, and that of Witherden and Vincent on a simplex, which does
+  /// not depend on how vertices are numbered: exact for polynomials of degree
+  /// 2 @p n - 1. Triangles: @p n <= 7, tetrahedra: @p n <= 5.
   template <int dim>
   Quadrature<dim>
   gauss_quadrature(const ReferenceCell &cell, const unsigned int n);

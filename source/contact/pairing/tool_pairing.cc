@@ -2,6 +2,8 @@
 
 #include <stickslip/mesh/reference_cells.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <algorithm>
 
 namespace stickslip
@@ -11,6 +13,27 @@ namespace stickslip
     /// Points per direction beyond those that are exact for a flat tool, since
     /// the gap to a round one is no polynomial.
     constexpr unsigned int further_points = 2;
+
+
+
+    /// gauss_quadrature(), on triangles of any @p n: copies of a rule for more
+    /// points than it has.
+    template <int facedim>
+    Quadrature<facedim>
+    dense_quadrature(const ReferenceCell &face, const unsigned int n)
+    {
+      if constexpr (facedim == 2)
+        {
+          unsigned int copies = 1; // in each direction, a power of two
+          while (face.is_simplex() && 7 * copies < n)
+            copies *= 2;
+          if (copies > 1)
+            return QIteratedSimplex<facedim>(
+              gauss_quadrature<facedim>(face, (n + copies - 1) / copies),
+              copies);
+        }
+      return gauss_quadrature<facedim>(face, n);
+    }
   } // namespace
 
 
@@ -54,7 +77,7 @@ namespace stickslip
                           const unsigned int    order,
                           const CrossSection   &cross_section)
     : cross_section(cross_section)
-    , quadrature(gauss_quadrature<dim - 1>(
+    , quadrature(dense_quadrature<dim - 1>(
         displacement_shape.reference_cell(),
         std::max(order,
                  multiplier_shape.degree() + displacement_shape.degree() +
