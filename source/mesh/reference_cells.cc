@@ -94,7 +94,8 @@ namespace stickslip
       if (cell.is_simplex())
         {
           // In Release mode deal.II returns an empty rule.
-          AssertThrow(n >= 1 && n <= (dim == 2 ? 7 : 5), ExcNotImplemented());
+          AssertThrow(n >= 1 && n <= most_simplex_points<dim>,
+                      ExcNotImplemented());
           return QWitherdenVincentSimplex<dim>(n);
         }
     return QGauss<dim>(n);

@@ -52,9 +52,13 @@ namespace stickslip
   std::unique_ptr<Mapping<dim>>
   make_mapping(const ReferenceCell &cell, const unsigned int degree);
 
+  /// The largest n of gauss_quadrature() on triangles and tetrahedra.
+  template <int dim>
+  constexpr unsigned int most_simplex_points = (dim == 2 ? 7 : 5);
+
   /// Gauss' rule, and that of Witherden and Vincent on a simplex, which does
   /// not depend on how vertices are numbered: exact for polynomials of degree
-  /// 2 @p n - 1. Triangles: @p n <= 7, tetrahedra: @p n <= 5.
+  /// 2 @p n - 1. Simplices: @p n <= most_simplex_points.
   template <int dim>
   Quadrature<dim>
   gauss_quadrature(const ReferenceCell &cell, const unsigned int n);

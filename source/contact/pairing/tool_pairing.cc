@@ -25,7 +25,7 @@ namespace stickslip
       if constexpr (facedim == 2)
         {
           unsigned int copies = 1; // in each direction, a power of two
-          while (face.is_simplex() && 7 * copies < n)
+          while (face.is_simplex() && most_simplex_points<2> * copies < n)
             copies *= 2;
           if (copies > 1)
             return QIteratedSimplex<facedim>(
