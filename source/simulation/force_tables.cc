@@ -41,7 +41,8 @@ namespace stickslip
       }
     const bool is_axisymmetric = problem.bodies().cross_section.is_axisymmetric;
     const auto reactions       = problem.reactions();
-    if (!reactions.empty())
+    const auto cuts            = problem.cut_reactions();
+    if (!reactions.empty() || !cuts.empty())
       {
         reaction_table.add("step", step);
         reaction_table.add("time", time);
@@ -52,6 +53,11 @@ namespace stickslip
           for (const auto &result : reaction.named_values())
             if (!(is_axisymmetric && result.quantity == "moment"))
               reaction_table.add(name + "." + result.name, result.value);
+        for (const auto &[name, cut] : cuts)
+          {
+            reaction_table.add(name + ".force", cut.force);
+            reaction_table.add(name + ".shortening", cut.shortening);
+          }
         reaction_table.finish_row();
       }
   }

@@ -185,6 +185,12 @@ namespace stickslip
 
     /// Moments at the reference points of rigid motions with free components,
     /// and where these are, in the last evaluated state. Collective.
+    std::vector<std::pair<std::string, CutReaction>>
+    cut_reactions() const
+    {
+      return constraints->cut_reactions(configured_x.block(0), unbalanced);
+    }
+
     std::vector<std::pair<std::string, RigidReaction<dim>>>
     reference_points() const
     {
