@@ -24,6 +24,7 @@ namespace stickslip
       {"follower pressure", BoundaryConditionType::follower_pressure},
       {"spring", BoundaryConditionType::spring},
       {"body force", BoundaryConditionType::body_force},
+      {"distributed force", BoundaryConditionType::distributed_force},
       {"periodic", BoundaryConditionType::periodic},
       {"pretension", BoundaryConditionType::pretension}};
     return choices;
@@ -66,7 +67,9 @@ namespace stickslip
       "reference normal per reference area, Value. 'follower pressure': along "
       "the current normal per current area, Value. 'spring': force per "
       "reference area, Stiffness times the displacement along Direction. 'body "
-      "force': force per reference volume, Value. 'periodic': the "
+      "force': force per reference volume, Value. 'distributed force': Force "
+      "and Torque at Rotation centre, as tractions that are linear over the "
+      "boundary and do not stiffen it. 'periodic': the "
       "displacements "
       "on Boundary and Second boundary are equal. 'pretension': these are the "
       "two sides of a plane cut through a bolt, with the same nodes; Force "
@@ -112,13 +115,15 @@ namespace stickslip
                       force,
                       "Of a rigid motion with free components of Translation: "
                       "the force at Rotation centre, expressions of t, "
-                      "separated by ';'. Empty: none. Of a pretension: the "
-                      "tension in the whole bolt, one expression of t.",
+                      "separated by ';'. Empty: none. Of a distributed force: "
+                      "the same. Of a pretension: the tension in the whole "
+                      "bolt, one expression of t.",
                       Patterns::Anything());
     prm.add_parameter("Torque",
                       torque,
                       "Of a rigid motion with free components of Rotation "
-                      "angle: as many expressions of t. Empty: none.",
+                      "angle: as many expressions of t. Of a distributed "
+                      "force: one in 2D, three in 3D. Empty: none.",
                       Patterns::Anything());
     prm.add_parameter("Translation stiffness",
                       translation_stiffness,
@@ -139,8 +144,8 @@ namespace stickslip
                       rotation_centre,
                       "Of a rigid motion and of cylindrical components: a "
                       "point on the axis in the reference configuration, for a "
-                      "rigid motion the point that Translation and Force "
-                      "refer to. Empty: the origin.",
+                      "rigid motion and a distributed force the point that "
+                      "Translation and Force refer to. Empty: the origin.",
                       Patterns::Anything());
     prm.add_parameter("Second boundary",
                       second_boundary,
@@ -225,15 +230,20 @@ namespace stickslip
     if (type != BoundaryConditionType::rigid_motion)
       {
         forbid(!translation.empty(), "Translation");
-        forbid(!torque.empty(), "Torque");
         forbid(!translation_stiffness.empty(), "Translation stiffness");
         forbid(!rotation_stiffness.empty(), "Rotation stiffness");
       }
 
-    const bool has_force = (type == BoundaryConditionType::rigid_motion ||
-                            type == BoundaryConditionType::pretension);
+    const bool has_torque = (type == BoundaryConditionType::rigid_motion ||
+                             type == BoundaryConditionType::distributed_force);
+    const bool has_force =
+      (has_torque || type == BoundaryConditionType::pretension);
+    if (!has_torque)
+      forbid(!torque.empty(), "Torque");
     if (!has_force)
       forbid(!force.empty(), "Force");
+    if (type == BoundaryConditionType::distributed_force && torque.empty())
+      require(!force.empty(), "Force");
     if (!has_value && !has_force)
       forbid(!amplitude.empty(), "Amplitude");
     if (components == VectorComponents::cylindrical &&

@@ -84,6 +84,7 @@ namespace stickslip
         case BoundaryConditionType::follower_pressure:
         case BoundaryConditionType::spring:
         case BoundaryConditionType::body_force:
+        case BoundaryConditionType::distributed_force:
           add_load(name, parameters);
           break;
         case BoundaryConditionType::periodic:
@@ -192,6 +193,11 @@ namespace stickslip
           }
         load.stiffness *= parameters.stiffness;
       }
+    else if (load.type == BoundaryConditionType::distributed_force)
+      load.distribution =
+        std::make_shared<ForceDistribution<dim>>(parameters,
+                                                 amplitude_of(parameters, path),
+                                                 path);
     else
       {
         const bool is_pressure =

@@ -25,6 +25,7 @@ namespace stickslip
     follower_pressure,
     spring,
     body_force,
+    distributed_force,
     periodic,
     pretension
   };
