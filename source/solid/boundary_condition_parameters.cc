@@ -261,10 +261,11 @@ namespace stickslip
         forbid(!active_from.empty(), "Active from");
         forbid(!active_until.empty(), "Active until");
       }
-    (joins ? require(!second_boundary.empty(), "Second boundary")
-           : forbid(!second_boundary.empty(), "Second boundary"));
+    else
+      forbid(!second_boundary.empty(), "Second boundary");
     if (type == BoundaryConditionType::pretension)
       {
+        require(!second_boundary.empty(), "Second boundary");
         require(!force.empty(), "Force");
         forbid(!direction.empty(), "Direction");
         drawn_interval(path);
