@@ -18,6 +18,7 @@ import sys
 import tempfile
 
 import bad_adaptations
+import bad_bolts
 import bad_motions
 import bad_problems
 import bad_runs
@@ -25,7 +26,8 @@ import bad_tools
 from bad_words import HERE, WRONG_INPUT
 from program_runs import environment_of
 
-CASES = {**bad_problems.CASES, **bad_motions.CASES, **bad_adaptations.CASES, **bad_tools.CASES, **bad_runs.CASES}
+CASES = {**bad_problems.CASES, **bad_motions.CASES, **bad_adaptations.CASES, **bad_tools.CASES, **bad_bolts.CASES,
+         **bad_runs.CASES}
 CRASH = ["backtrace", "segmentation", "signal", "aborted", "internal error", "terminate called", "an error occurred in line", "stacktrace"]
 
 

@@ -23,6 +23,24 @@ CASES = {
     "a force in a pressure": (
         "rigid_plate.prm", own_condition("Body = column", "Boundary = 1", "Type = pressure", "Value = 1", "Force = 1; 0"),
         WRONG_INPUT, ["Boundary conditions/own/Force", "'pressure' has no use"]),
+    "a distributed force without a force": (
+        "rigid_plate.prm", own_condition("Body = column", "Boundary = 1", "Type = distributed force"),
+        WRONG_INPUT, ["Boundary conditions/own/Force", "is empty", "'distributed force' needs it"]),
+    "a distributed force with a value": (
+        "rigid_plate.prm", own_condition("Body = column", "Boundary = 1", "Type = distributed force", "Force = 1; 0", "Value = 1; 0"),
+        WRONG_INPUT, ["Boundary conditions/own/Value", "'distributed force' has no use"]),
+    "a distributed force on a whole body": (
+        "rigid_plate.prm", own_condition("Body = column", "Type = distributed force", "Force = 1; 0"),
+        WRONG_INPUT, ["Boundary conditions/own/Boundary", "is empty"]),
+    "a distributed torque with two components": (
+        "rigid_plate.prm", own_condition("Body = column", "Boundary = 1", "Type = distributed force", "Torque = 1; 0"),
+        WRONG_INPUT, ["Boundary conditions/own/Torque", "1; 0", "1 component"]),
+    "a distributed force along the radius of a body of revolution": (
+        "../pretension_axisymmetric.prm", own_condition("Body = upper", "Boundary = 3", "Type = distributed force", "Force = 1; 2"),
+        WRONG_INPUT, ["Boundary conditions/own/Force", "1; 2", "radius"]),
+    "a distributed torque on a body of revolution": (
+        "../pretension_axisymmetric.prm", own_condition("Body = upper", "Boundary = 3", "Type = distributed force", "Torque = 2"),
+        WRONG_INPUT, ["Boundary conditions/own/Torque", "nothing can rotate"]),
     "two conditions on a driven rigid body": (
         "rigid_plate.prm", own_condition("Body = plate", "Type = rigid motion"),
         WRONG_INPUT, ["Boundary conditions/load", "Boundary conditions/own", "'plate' is rigid", "one condition"]),

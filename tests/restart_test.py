@@ -97,6 +97,42 @@ def test_reference_points(runs):
         check(not differences, f"{name} has the tables of driven {differences[:3]}")
 
 
+BOLT = """include case.prm
+subsection Bodies
+  subsection cap
+    set Generator = subdivided_hyper_rectangle
+    set Arguments = 4, 2 : 5, 1 : 6, 2 : true
+    set Material  = soft
+  end
+end
+subsection Boundary conditions
+  subsection stamp
+    set Body = cap
+  end
+  subsection bolt
+    set Type            = pretension
+    set Body            = metal
+    set Boundary        = 3
+    set Second body     = cap
+    set Second boundary = 2
+    set Force           = 0.8*t
+    set Locked from     = 2.5
+  end
+end
+"""
+
+
+def test_pretension(runs):
+    """A bolt of a plastic and an elastic part: the shortening that is kept follows from the displacements."""
+    (runs.directory / "bolt.prm").write_text(BOLT)
+    printed = runs.run("bolt", 1, options=SHORT, case="bolt.prm")
+    for half, n_ranks, other in [(2, 2, 1), (2, 1, 2), (2.5, 1, 2), (2.5, 2, 1)]:
+        name = f"bolt-{half}-{n_ranks}-{other}"
+        runs.run(name, n_ranks, options=[f"Load stepping/End time={half}"], case="bolt.prm")
+        check(runs.run(name, other, "latest", SHORT, case="bolt.prm") == printed, f"{name} prints the same")
+        compare(runs, name, "bolt")
+
+
 def test_axisymmetric(runs):
     """Bodies of revolution: a ring is pressed on a disc, widened and let go, with friction; another one is in plastic flow."""
     options = ["Axisymmetric=true", "Load stepping/Minimum step=0.01", "Load stepping/Requested times=3",
@@ -294,7 +330,7 @@ def test_refused(runs):
 
 def main():
     runs = Runs(sys.argv[1], pathlib.Path(sys.argv[2]))
-    for test in (test_partitions, test_simplices, test_ties, test_tools, test_reference_points, test_axisymmetric, test_adapted, test_path_dependence, test_algorithms, test_fallback, test_cuts_and_growth,
+    for test in (test_partitions, test_simplices, test_ties, test_tools, test_reference_points, test_pretension, test_axisymmetric, test_adapted, test_path_dependence, test_algorithms, test_fallback, test_cuts_and_growth,
                  test_failed_run, test_directory, test_refused):
         test(runs)
     print(f"{len(failures)} comparisons failed")

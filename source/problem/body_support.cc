@@ -3,8 +3,6 @@
 #include <stickslip/base/user_error.h>
 
 #include <algorithm>
-#include <iterator>
-#include <numeric>
 #include <set>
 #include <string>
 
@@ -13,43 +11,75 @@ namespace stickslip
   namespace
   {
     /// Numbers of groups, one per body: the same for bodies that contact pairs
-    /// join.
+    /// or cuts join.
     template <int dim>
     std::vector<unsigned int>
     groups_joined_by_contact(
+      const BoundaryConditions<dim>                        &conditions,
       const Bodies                                         &bodies,
       const std::vector<std::unique_ptr<ContactPair<dim>>> &pairs)
     {
-      std::vector<unsigned int> group(bodies.n_bodies());
-      std::iota(group.begin(), group.end(), 0U);
+      std::vector<unsigned int> group =
+        groups_joined_by_cuts(conditions, bodies);
       for (const auto &pair : pairs)
         {
           std::set<unsigned int> joined;
           for (unsigned int b = 0; b < group.size(); ++b)
             if (pair->parameters.involves(bodies.bodies[b].name))
               joined.insert(group[b]);
-          for (unsigned int &g : group)
-            if (joined.count(g) > 0)
-              g = *joined.begin();
+          join_groups(joined, group);
         }
-      const std::set<unsigned int> numbers(group.begin(), group.end());
-      for (unsigned int &g : group)
-        g = std::distance(numbers.begin(), numbers.find(g));
+      number_groups(group);
       return group;
     }
 
 
 
     void
-    refuse(const std::string &what, const std::vector<std::string> &motions)
+    refuse(const std::string &what, const std::vector<FreeMotion> &motions)
     {
       if (motions.empty())
         return;
       std::string text = what + ":";
-      for (const std::string &motion : motions)
-        text += "\n  " + motion;
+      for (const FreeMotion &motion : motions)
+        text += "\n  " + motion.text();
       throw UserError(text +
                       "\nAdd a condition in section 'Boundary conditions'.");
+    }
+
+    /// Both parts of a bolt need something that they can pull at.
+    template <int dim>
+    void
+    check_bolts_carry(
+      const BoundaryConditions<dim>                        &conditions,
+      const Bodies                                         &bodies,
+      const std::vector<std::unique_ptr<ContactPair<dim>>> &pairs)
+    {
+      for (const auto &bolt : conditions.pretensions())
+        for (const auto &side : bolt.sides)
+          {
+            const std::string &name    = bodies.bodies[side.body].name;
+            const auto         is_here = [&](const auto &condition) {
+              return condition.body == side.body;
+            };
+            const auto &displacements = conditions.prescribed_displacements();
+            const auto &loads         = conditions.loads();
+            const bool  carries =
+              std::any_of(pairs.begin(),
+                          pairs.end(),
+                          [&](const auto &pair) {
+                            return pair->parameters.involves(name);
+                          }) ||
+              std::any_of(displacements.begin(),
+                          displacements.end(),
+                          is_here) ||
+              std::any_of(loads.begin(), loads.end(), is_here);
+            if (!carries && bolt.sides[0].body != bolt.sides[1].body)
+              throw UserError("Boundary conditions/" + bolt.name + ": body '" +
+                              name +
+                              "' has neither contact nor another condition. "
+                              "Both parts of a bolt have to be held.");
+          }
     }
   } // namespace
 
@@ -63,30 +93,32 @@ namespace stickslip
     const DofLayout<dim>                                 &dofs,
     const std::vector<std::unique_ptr<ContactPair<dim>>> &pairs)
   {
-    std::vector<std::string> texts;
+    std::vector<FreeMotion> unheld;
     for (const FreeMotion &motion :
          free_rigid_motions(conditions, bodies, dofs.mapping, dofs.dof_handler))
       {
         bool may_be_held_by_contact = false;
         for (const auto &pair : pairs)
-          if (pair->parameters.involves(motion.body) &&
+          if (motion.concerns(pair->parameters) &&
               pair->parameters.slave_body != pair->parameters.master_body)
             may_be_held_by_contact = pair->has_to_hold = true;
         if (!may_be_held_by_contact)
-          texts.push_back(motion.text());
+          unheld.push_back(motion);
       }
     refuse(
       "These rigid body motions are held by no boundary condition, "
       "spring or contact pair",
-      texts);
+      unheld);
+    check_bolts_carry(conditions, bodies, pairs);
     refuse(
       "These rigid body motions are held by no boundary condition or "
       "spring; contact alone joins the bodies",
-      free_motions_of_groups(conditions,
-                             bodies,
-                             dofs.mapping,
-                             dofs.dof_handler,
-                             groups_joined_by_contact(bodies, pairs)));
+      free_motions_of_groups(
+        conditions,
+        bodies,
+        dofs.mapping,
+        dofs.dof_handler,
+        groups_joined_by_contact(conditions, bodies, pairs)));
   }
 
 

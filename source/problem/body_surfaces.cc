@@ -145,7 +145,8 @@ namespace stickslip
             bodies.index_of(condition.body, path + "/Body");
           const bool is_cut =
             condition.type == BoundaryConditionType::symmetry ||
-            condition.type == BoundaryConditionType::periodic;
+            condition.type == BoundaryConditionType::periodic ||
+            condition.type == BoundaryConditionType::pretension;
           const bool is_prescribed = prescribes_all(condition);
           if (!is_cut && !is_prescribed)
             continue;
@@ -155,7 +156,9 @@ namespace stickslip
                                              condition.boundary,
                                              path + "/Boundary");
           if (!condition.second_boundary.empty())
-            ids.merge(bodies.global_boundary_ids(condition.body,
+            ids.merge(bodies.global_boundary_ids(condition.second_body.empty()
+                                                   ? condition.body
+                                                   : condition.second_body,
                                                  condition.second_boundary,
                                                  path + "/Second boundary"));
           for (const auto id : ids)

@@ -47,17 +47,9 @@ namespace stickslip
     : dofs(dofs)
     , boundary_conditions(boundary_conditions)
     , contact(contact)
+    , multiplier_constraints(bodies, boundary_conditions, contact)
     , communicator(communicator)
   {
-    for (const auto &pair : contact.contact_pairs())
-      {
-        const unsigned int master =
-          bodies.index_of(pair->parameters.master_body,
-                          "Contact/" + pair->name + "/Master body");
-        master_is_rigid.push_back(
-          bodies.bodies[master].is_rigid &&
-          !boundary_conditions.drives_rigid_body(master));
-      }
     rigid_dofs = dofs_of_rigid_bodies(dofs, bodies);
     find_couplings(bodies);
   }
@@ -68,8 +60,9 @@ namespace stickslip
   void
   ProblemConstraints<dim>::find_couplings(const Bodies &bodies)
   {
-    const auto points = boundary_conditions.reference_points();
-    if (points.empty())
+    const auto  points = boundary_conditions.reference_points();
+    const auto &bolts  = boundary_conditions.pretensions();
+    if (points.empty() && bolts.empty())
       return;
     auto conditions = boundary_conditions.prescribed_displacements();
     for (auto &condition : conditions)
@@ -93,6 +86,14 @@ namespace stickslip
           geometric,
           communicator);
       }
+    for (const Pretension<dim> &bolt : bolts)
+      cuts.emplace_back(bolt,
+                        dofs.mapping,
+                        dofs.dof_handler,
+                        bodies,
+                        nodes,
+                        conditions,
+                        geometric);
   }
 
 
@@ -104,6 +105,8 @@ namespace stickslip
     for (const auto &coupling : rigid_couplings)
       displacements.add_indices(coupling.masters().begin(),
                                 coupling.masters().end());
+    for (const auto &cut : cuts)
+      displacements.add_indices(cut.masters());
     displacements.compress();
     return displacements;
   }
@@ -118,6 +121,9 @@ namespace stickslip
     const std::vector<RigidCoupling<dim>> &couplings,
     Constraints                           &lines) const
   {
+    // first: what else holds a node of a second side holds the opposite one
+    for (const auto &cut : cuts)
+      add_lines_on_all_ranks(cut.lines(time), dofs.owned, communicator, lines);
     boundary_conditions.add_prescribed_displacements(
       dofs.mapping, dofs.dof_handler, time, displacement, lines);
     for (const auto &coupling : couplings)
@@ -126,57 +132,6 @@ namespace stickslip
                                dofs.owned,
                                communicator,
                                lines);
-  }
-
-
-
-  template <int dim>
-  void
-  ProblemConstraints<dim>::constrain_multipliers(Constraints &lines) const
-  {
-    const types::global_dof_index n_u       = dofs.owned.size();
-    const auto                   &pairs     = contact.contact_pairs();
-    const auto                   &numbering = contact.multipliers();
-    for (const MultiplierNode &node : numbering.relevant_nodes())
-      {
-        const ContactPair<dim> &pair   = *pairs[node.pair];
-        const unsigned int      n_comp = pair.n_multiplier_components();
-        bool is_excluded = pair.excluded_keys().count(node.key) > 0;
-        // a node that cannot move against a master that cannot move
-        if (master_is_rigid[node.pair])
-          {
-            bool is_held = true;
-            for (unsigned int c = 0; c < dim; ++c)
-              {
-                const auto *entries =
-                  lines.is_constrained(node.key + c)
-                    ? lines.get_constraint_entries(node.key + c)
-                    : nullptr;
-                is_held = is_held && entries != nullptr && entries->empty();
-              }
-            is_excluded = is_excluded || is_held;
-          }
-        // hanging and periodic nodes have no multipliers of their own
-        const auto *entries = pair.hanging_nodes().combination(node.key);
-        if (entries == nullptr && geometric_lines.is_constrained(node.key))
-          entries = geometric_lines.get_constraint_entries(node.key);
-        for (unsigned int c = 0; c < n_comp; ++c)
-          {
-            const auto dof = n_u + node.first_dof + c;
-            if (is_excluded)
-              lines.add_line(dof);
-            else if (entries != nullptr && !entries->empty())
-              {
-                lines.add_line(dof);
-                for (const auto &[key, weight] : *entries)
-                  if (numbering.has_node(node.pair, key))
-                    lines.add_entry(dof,
-                                    n_u + numbering.first_dof(node.pair, key) +
-                                      c,
-                                    weight);
-              }
-          }
-      }
   }
 
 
@@ -302,6 +257,8 @@ namespace stickslip
     for (const auto &coupling : rigid_couplings)
       if (coupling.is_active(time))
         coupling.add_driving_forces(time, with_springs, driving_forces);
+    for (const auto &cut : cuts)
+      cut.add_driving_forces(time, driving_forces);
     driving_forces.compress(VectorOperation::add);
     return driving_forces;
   }
@@ -321,6 +278,8 @@ namespace stickslip
           coupling.add_tangent(time, unbalanced, matrix.block(0, 0));
           coupling.add_driving_forces(time, true, rhs.block(0));
         }
+    for (const auto &cut : cuts)
+      cut.add_driving_forces(time, rhs.block(0));
   }
 
 
@@ -335,6 +294,19 @@ namespace stickslip
     for (const auto &coupling : rigid_couplings)
       result.emplace_back(coupling.condition().name,
                           coupling.reaction(time, displacement, unbalanced));
+    return result;
+  }
+
+
+
+  template <int dim>
+  std::vector<std::pair<std::string, CutReaction>>
+  ProblemConstraints<dim>::cut_reactions(const LA::Vector &displacement,
+                                         const LA::Vector &unbalanced) const
+  {
+    std::vector<std::pair<std::string, CutReaction>> result;
+    for (const auto &cut : cuts)
+      result.emplace_back(cut.name(), cut.reaction(displacement, unbalanced));
     return result;
   }
 
@@ -371,7 +343,9 @@ namespace stickslip
                            displacement_lines);
     increment_lines.reinit(local);
     copy_lines(known_where_needed(displacement_lines), increment_lines);
-    constrain_multipliers(increment_lines);
+    multiplier_constraints.add_to(increment_lines,
+                                  geometric_lines,
+                                  dofs.owned.size());
     increment_lines.close();
 
     geometric_lines.close();

@@ -232,6 +232,14 @@ namespace stickslip
                         name + "/Generator = " + body.generator +
                         "'). Refine with 'Mesh' instead, or give the tool a "
                         "mesh.");
+    for (const auto &[name, condition] : boundary_conditions)
+      if (condition.type == BoundaryConditionType::pretension &&
+          adaptation.is_active())
+        throw UserError("Adaptation/Estimator = " + adaptation.estimator +
+                        ": the two sides of a cut ('Boundary conditions/" +
+                        name +
+                        "') need the same mesh, which adaptation would not "
+                        "keep. Refine with section 'Refinement' instead.");
     if (axisymmetric && adaptation.estimator == "residual")
       throw UserError(
         "Adaptation/Estimator = residual knows no bodies of "

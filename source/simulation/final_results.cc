@@ -110,6 +110,11 @@ namespace stickslip
       for (const auto &result : reaction.named_values())
         if (result.quantity != "moment") // which is a matter of equilibrium
           results.add(name, name + "." + result.name, result.value);
+    for (const auto &[name, cut] : problem.cut_reactions())
+      {
+        results.add("force", name + ".force", cut.force);
+        results.add(name, name + ".shortening", cut.shortening);
+      }
     return results;
   }
 

@@ -41,17 +41,24 @@ namespace stickslip
       }
     const bool is_axisymmetric = problem.bodies().cross_section.is_axisymmetric;
     const auto reactions       = problem.reactions();
-    if (!reactions.empty())
+    const auto cuts            = problem.cut_reactions();
+    const auto points          = problem.reference_points();
+    if (!reactions.empty() || !cuts.empty() || !points.empty())
       {
         reaction_table.add("step", step);
         reaction_table.add("time", time);
         for (const auto &[name, force] : reactions)
           for (unsigned int d = 0; d < dim; ++d)
             reaction_table.add(name + ".force_" + "xyz"[d], force[d]);
-        for (const auto &[name, reaction] : problem.reference_points())
+        for (const auto &[name, reaction] : points)
           for (const auto &result : reaction.named_values())
             if (!(is_axisymmetric && result.quantity == "moment"))
               reaction_table.add(name + "." + result.name, result.value);
+        for (const auto &[name, cut] : cuts)
+          {
+            reaction_table.add(name + ".force", cut.force);
+            reaction_table.add(name + ".shortening", cut.shortening);
+          }
         reaction_table.finish_row();
       }
   }

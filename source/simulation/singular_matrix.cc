@@ -22,7 +22,7 @@ namespace stickslip
       for (const FreeMotion &motion : step.free_motions)
         {
           const auto touches_body = [&](const PointDiagnosis<dim> &point) {
-            return step.pairs[point.pair].second.involves(motion.body);
+            return motion.concerns(step.pairs[point.pair].second);
           };
           const auto count = [&](const Property<dim> &has_property) {
             return find_group<dim>(
@@ -38,16 +38,13 @@ namespace stickslip
             count([](const auto &) { return true; });
           const unsigned int n_with_threshold =
             count([](const auto &point) { return point.has_threshold; });
-          const unsigned int n_stick = count([](const auto &point) {
+          const unsigned int n_stick      = count([](const auto &point) {
             return point.state == ContactState::stick;
           });
-          const bool         has_friction =
-            std::any_of(step.pairs.begin(),
-                        step.pairs.end(),
-                        [&](const auto &pair) {
-                          return pair.second.has_friction() &&
-                                 pair.second.involves(motion.body);
-                        });
+          const bool         has_friction = std::any_of(
+            step.pairs.begin(), step.pairs.end(), [&](const auto &pair) {
+              return pair.second.has_friction() && motion.concerns(pair.second);
+            });
           FailureExplanation explanation;
           explanation.where = motion.text() + ".";
           if (n_closed == 0)

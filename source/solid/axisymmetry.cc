@@ -55,7 +55,8 @@ namespace stickslip
       throw UserError(path + "/Direction is '" + parameters.direction + "'" +
                       model +
                       "x is the radius, along which nothing repeats. Take y.");
-    if (parameters.type != BoundaryConditionType::rigid_motion)
+    if (parameters.type != BoundaryConditionType::rigid_motion &&
+        parameters.type != BoundaryConditionType::distributed_force)
       return;
     if (!parameters.rotation_angle.empty() &&
         !is_zero(parameters.rotation_angle))
@@ -64,7 +65,7 @@ namespace stickslip
                       "a rigid body cannot rotate. Remove it.");
     if (!parameters.torque.empty())
       throw UserError(path + "/Torque is given" + model +
-                      "a rigid body cannot rotate. Remove it.");
+                      "nothing can rotate. Remove it.");
     check_radial_component(parameters.translation, path + "/Translation");
     check_radial_component(parameters.force, path + "/Force");
   }

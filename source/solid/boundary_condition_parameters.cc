@@ -2,6 +2,8 @@
 
 #include <stickslip/base/user_error.h>
 
+#include <stickslip/solid/direction_parameters.h>
+
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/utilities.h>
@@ -22,7 +24,9 @@ namespace stickslip
       {"follower pressure", BoundaryConditionType::follower_pressure},
       {"spring", BoundaryConditionType::spring},
       {"body force", BoundaryConditionType::body_force},
-      {"periodic", BoundaryConditionType::periodic}};
+      {"distributed force", BoundaryConditionType::distributed_force},
+      {"periodic", BoundaryConditionType::periodic},
+      {"pretension", BoundaryConditionType::pretension}};
     return choices;
   }
 
@@ -63,9 +67,13 @@ namespace stickslip
       "reference normal per reference area, Value. 'follower pressure': along "
       "the current normal per current area, Value. 'spring': force per "
       "reference area, Stiffness times the displacement along Direction. 'body "
-      "force': force per reference volume, Value. 'periodic': the "
+      "force': force per reference volume, Value. 'distributed force': Force "
+      "and Torque at Rotation centre, as tractions that are linear over the "
+      "boundary and do not stiffen it. 'periodic': the "
       "displacements "
-      "on Boundary and Second boundary are equal.");
+      "on Boundary and Second boundary are equal. 'pretension': these are the "
+      "two sides of a plane cut through a bolt, with the same nodes; Force "
+      "draws them over each other, and from Locked from on this stays.");
     prm.add_parameter(
       "Value",
       value,
@@ -107,12 +115,15 @@ namespace stickslip
                       force,
                       "Of a rigid motion with free components of Translation: "
                       "the force at Rotation centre, expressions of t, "
-                      "separated by ';'. Empty: none.",
+                      "separated by ';'. Empty: none. Of a distributed force: "
+                      "the same. Of a pretension: the tension in the whole "
+                      "bolt, one expression of t.",
                       Patterns::Anything());
     prm.add_parameter("Torque",
                       torque,
                       "Of a rigid motion with free components of Rotation "
-                      "angle: as many expressions of t. Empty: none.",
+                      "angle: as many expressions of t. Of a distributed "
+                      "force: one in 2D, three in 3D. Empty: none.",
                       Patterns::Anything());
     prm.add_parameter("Translation stiffness",
                       translation_stiffness,
@@ -133,12 +144,18 @@ namespace stickslip
                       rotation_centre,
                       "Of a rigid motion and of cylindrical components: a "
                       "point on the axis in the reference configuration, for a "
-                      "rigid motion the point that Translation and Force "
-                      "refer to. Empty: the origin.",
+                      "rigid motion and a distributed force the point that "
+                      "Translation and Force refer to. Empty: the origin.",
                       Patterns::Anything());
     prm.add_parameter("Second boundary",
                       second_boundary,
-                      "Of a periodic condition: the other boundary.");
+                      "Of a periodic condition: the other boundary. Of a "
+                      "pretension: the other side of the cut.");
+    prm.add_parameter("Second body",
+                      second_body,
+                      "Of a pretension: the body of Second boundary. Empty: "
+                      "Body.",
+                      Patterns::Anything());
     prm.add_parameter("Amplitude",
                       amplitude,
                       "Name of a section of Amplitudes: a factor over the load "
@@ -162,6 +179,12 @@ namespace stickslip
                       active_until,
                       "The condition acts up to this load time. Empty: to the "
                       "end.",
+                      Patterns::Anything());
+    prm.add_parameter("Locked from",
+                      locked_from,
+                      "Of a pretension: up to this load time Force acts, from "
+                      "then on the length of the bolt stays as it is there. "
+                      "Empty: Force acts to the end.",
                       Patterns::Anything());
   }
 
@@ -207,13 +230,21 @@ namespace stickslip
     if (type != BoundaryConditionType::rigid_motion)
       {
         forbid(!translation.empty(), "Translation");
-        forbid(!force.empty(), "Force");
-        forbid(!torque.empty(), "Torque");
         forbid(!translation_stiffness.empty(), "Translation stiffness");
         forbid(!rotation_stiffness.empty(), "Rotation stiffness");
       }
 
-    if (!has_value && type != BoundaryConditionType::rigid_motion)
+    const bool has_torque = (type == BoundaryConditionType::rigid_motion ||
+                             type == BoundaryConditionType::distributed_force);
+    const bool has_force =
+      (has_torque || type == BoundaryConditionType::pretension);
+    if (!has_torque)
+      forbid(!torque.empty(), "Torque");
+    if (!has_force)
+      forbid(!force.empty(), "Force");
+    if (type == BoundaryConditionType::distributed_force && torque.empty())
+      require(!force.empty(), "Force");
+    if (!has_value && !has_force)
       forbid(!amplitude.empty(), "Amplitude");
     if (components == VectorComponents::cylindrical &&
         type != BoundaryConditionType::displacement &&
@@ -223,10 +254,26 @@ namespace stickslip
                       "/Components = cylindrical: a condition of type '" +
                       type_name + "' has no components.");
     active_interval(path);
-    if (type == BoundaryConditionType::periodic)
+    const bool joins = (type == BoundaryConditionType::periodic ||
+                        type == BoundaryConditionType::pretension);
+    if (joins)
       {
         forbid(!active_from.empty(), "Active from");
         forbid(!active_until.empty(), "Active until");
+      }
+    else
+      forbid(!second_boundary.empty(), "Second boundary");
+    if (type == BoundaryConditionType::pretension)
+      {
+        require(!second_boundary.empty(), "Second boundary");
+        require(!force.empty(), "Force");
+        forbid(!direction.empty(), "Direction");
+        drawn_interval(path);
+      }
+    else
+      {
+        forbid(!second_body.empty(), "Second body");
+        forbid(!locked_from.empty(), "Locked from");
       }
 
     if (type == BoundaryConditionType::spring && !(stiffness > 0.))
@@ -241,36 +288,52 @@ namespace stickslip
                           "periodic condition have to be one id or name "
                           "each.");
       }
-    else
-      forbid(!second_boundary.empty(), "Second boundary");
   }
+
+
+
+  namespace
+  {
+    /// Leaves @p time as it is if @p text is empty.
+    void
+    read_time(const std::string &text, const std::string &path, double &time)
+    {
+      if (text.empty())
+        return;
+      try
+        {
+          time = Utilities::string_to_double(text);
+        }
+      catch (const ExceptionBase &)
+        {
+          throw UserError(path + " is '" + text +
+                          "', but has to be a number or empty.");
+        }
+    }
+  } // namespace
 
 
 
   ActiveInterval
   BoundaryConditionParameters::active_interval(const std::string &path) const
   {
-    const auto read =
-      [&path](const std::string &text, const std::string &name, double &value) {
-        if (text.empty())
-          return;
-        try
-          {
-            value = Utilities::string_to_double(text);
-          }
-        catch (const ExceptionBase &)
-          {
-            throw UserError(path + "/" + name + " is '" + text +
-                            "', but has to be a number or empty.");
-          }
-      };
     ActiveInterval interval;
-    read(active_from, "Active from", interval.from);
-    read(active_until, "Active until", interval.until);
+    read_time(active_from, path + "/Active from", interval.from);
+    read_time(active_until, path + "/Active until", interval.until);
     if (!(interval.from <= interval.until))
       throw UserError(path + "/Active until is " + active_until +
                       ", but 'Active from' is " + active_from +
                       ": the condition would never act.");
+    return interval;
+  }
+
+
+
+  ActiveInterval
+  BoundaryConditionParameters::drawn_interval(const std::string &path) const
+  {
+    ActiveInterval interval;
+    read_time(locked_from, path + "/Locked from", interval.until);
     return interval;
   }
 
@@ -283,71 +346,17 @@ namespace stickslip
     std::vector<double>  times;
     for (const auto &[name, condition] : conditions)
       {
-        const ActiveInterval interval =
-          condition.active_interval("Boundary conditions/" + name);
-        if (interval.from != always.from)
-          times.push_back(interval.from);
-        if (interval.until != always.until)
-          times.push_back(interval.until);
+        const std::string path = "Boundary conditions/" + name;
+        for (const ActiveInterval &interval :
+             {condition.active_interval(path), condition.drawn_interval(path)})
+          {
+            if (interval.from != always.from)
+              times.push_back(interval.from);
+            if (interval.until != always.until)
+              times.push_back(interval.until);
+          }
       }
     return times;
-  }
-
-
-
-  template <int dim>
-  std::pair<Tensor<1, 3>, Point<dim>>
-  axis_of(const BoundaryConditionParameters &parameters,
-          const std::string                 &path)
-  {
-    Tensor<1, 3> axis;
-    axis[2] = 1.;
-    if (dim == 3)
-      axis = vector_from_parameter<3>(parameters.rotation_axis,
-                                      path + "/Rotation axis");
-    if (axis.norm() == 0.)
-      throw UserError(path + "/Rotation axis has no length.");
-    axis /= axis.norm();
-
-    Point<dim> centre;
-    if (!parameters.rotation_centre.empty())
-      centre =
-        Point<dim>(vector_from_parameter<dim>(parameters.rotation_centre,
-                                              path + "/Rotation centre"));
-    return {axis, centre};
-  }
-
-
-
-  template <int dim>
-  Tensor<1, dim>
-  vector_from_parameter(const std::string &text, const std::string &path)
-  {
-    Tensor<1, dim>           result;
-    const std::string        axes  = "xyz";
-    const std::string        word  = Utilities::trim(text);
-    const std::size_t        axis  = axes.find(word);
-    std::vector<std::string> parts = Utilities::split_string_list(word, ",");
-
-    if (word.size() == 1 && axis < dim)
-      {
-        result[axis] = 1.;
-        return result;
-      }
-    try
-      {
-        AssertThrow(parts.size() == dim,
-                    ExcDimensionMismatch(parts.size(), dim));
-        for (unsigned int d = 0; d < dim; ++d)
-          result[d] = Utilities::string_to_double(parts[d]);
-      }
-    catch (const ExceptionBase &)
-      {
-        throw UserError(path + " is '" + text + "', but has to be one of " +
-                        (dim == 2 ? "x, y" : "x, y, z") + " or " +
-                        std::to_string(dim) + " numbers separated by commas.");
-      }
-    return result;
   }
 
 
@@ -379,14 +388,6 @@ namespace stickslip
 
 
 
-  template std::pair<Tensor<1, 3>, Point<2>>
-  axis_of<2>(const BoundaryConditionParameters &, const std::string &);
-  template std::pair<Tensor<1, 3>, Point<3>>
-  axis_of<3>(const BoundaryConditionParameters &, const std::string &);
-  template Tensor<1, 2>
-  vector_from_parameter<2>(const std::string &, const std::string &);
-  template Tensor<1, 3>
-  vector_from_parameter<3>(const std::string &, const std::string &);
   template Tensor<1, 2>
   BoundaryConditionParameters::unit_direction<2>(const std::string &) const;
   template Tensor<1, 3>

@@ -3,7 +3,9 @@
 #include <stickslip/base/user_error.h>
 
 #include <stickslip/solid/axisymmetry.h>
+#include <stickslip/solid/direction_parameters.h>
 #include <stickslip/solid/displacement_constraints.h>
+#include <stickslip/solid/rigid_body_conditions.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -36,10 +38,13 @@ namespace stickslip
   {
     for (const auto &named : parameters)
       add_condition(named.first, named.second);
-    check_couplings_of_rigid_bodies();
-    hold_idle_rigid_bodies();
-    for (const auto &condition : conditions_on_axis<dim>(bodies))
-      displacements.push_back(condition);
+    check_couplings_of_rigid_bodies(displacements, bodies);
+    for (const auto &conditions :
+         {holds_of_idle_rigid_bodies(displacements, bodies),
+          conditions_on_axis<dim>(bodies)})
+      displacements.insert(displacements.end(),
+                           conditions.begin(),
+                           conditions.end());
   }
 
 
@@ -79,10 +84,17 @@ namespace stickslip
         case BoundaryConditionType::follower_pressure:
         case BoundaryConditionType::spring:
         case BoundaryConditionType::body_force:
+        case BoundaryConditionType::distributed_force:
           add_load(name, parameters);
           break;
         case BoundaryConditionType::periodic:
           add_periodic_pair(name, parameters);
+          break;
+        case BoundaryConditionType::pretension:
+          all_pretensions.emplace_back(name,
+                                       parameters,
+                                       bodies,
+                                       amplitude_of(parameters, path));
           break;
       }
   }
@@ -111,7 +123,8 @@ namespace stickslip
   {
     if (parameters.components == VectorComponents::cartesian)
       return {};
-    const auto [axis, centre] = axis_of<dim>(parameters, path);
+    const auto [axis, centre] =
+      axis_of<dim>(parameters.rotation_axis, parameters.rotation_centre, path);
     return CylindricalFrame<dim>(centre, axis);
   }
 
@@ -180,6 +193,11 @@ namespace stickslip
           }
         load.stiffness *= parameters.stiffness;
       }
+    else if (load.type == BoundaryConditionType::distributed_force)
+      load.distribution =
+        std::make_shared<ForceDistribution<dim>>(parameters,
+                                                 amplitude_of(parameters, path),
+                                                 path);
     else
       {
         const bool is_pressure =
@@ -223,58 +241,10 @@ namespace stickslip
 
 
   template <int dim>
-  void
-  BoundaryConditions<dim>::hold_idle_rigid_bodies()
-  {
-    std::vector<bool> moves(bodies.bodies.size(), false);
-    for (const PrescribedDisplacement<dim> &condition : displacements)
-      moves[condition.body] = true;
-
-    for (unsigned int b = 0; b < bodies.bodies.size(); ++b)
-      if (bodies.bodies[b].is_rigid && !moves[b])
-        {
-          PrescribedDisplacement<dim> condition;
-          condition.name = "(rigid body " + bodies.bodies[b].name + ")";
-          condition.type = BoundaryConditionType::rigid_motion;
-          condition.body = b;
-          displacements.push_back(condition);
-        }
-  }
-
-
-
-  template <int dim>
-  void
-  BoundaryConditions<dim>::check_couplings_of_rigid_bodies() const
-  {
-    for (unsigned int b = 0; b < bodies.bodies.size(); ++b)
-      {
-        std::vector<std::string> paths;
-        for (const PrescribedDisplacement<dim> &condition : displacements)
-          if (condition.body == b)
-            paths.push_back("'" + boundary_condition_path(condition.name) +
-                            "'");
-        if (drives_rigid_body(b) && paths.size() > 1)
-          throw UserError(paths[0] + " and " + paths[1] + ": body '" +
-                          bodies.bodies[b].name +
-                          "' is rigid and has a motion with free components. "
-                          "It takes one condition.");
-      }
-  }
-
-
-
-  template <int dim>
   bool
   BoundaryConditions<dim>::drives_rigid_body(const unsigned int body) const
   {
-    return bodies.bodies[body].is_rigid &&
-           std::any_of(displacements.begin(),
-                       displacements.end(),
-                       [body](const auto &condition) {
-                         return condition.body == body &&
-                                condition.is_coupling();
-                       });
+    return bodies.bodies[body].is_rigid && has_coupling(displacements, body);
   }
 
 
@@ -373,6 +343,12 @@ namespace stickslip
                        [=](const auto &condition) {
                          return condition.active.contains(time) ==
                                 condition.active.contains(other_time);
+                       }) &&
+           std::all_of(all_pretensions.begin(),
+                       all_pretensions.end(),
+                       [=](const auto &bolt) {
+                         return bolt.is_drawn(time) ==
+                                bolt.is_drawn(other_time);
                        });
   }
 

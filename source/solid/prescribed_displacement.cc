@@ -190,7 +190,7 @@ namespace stickslip
         if ((face_values.normal_vector(q) - normal).norm() > 1e-4)
           report(condition,
                  cell->face(face)->center(),
-                 "the symmetry boundary is not plane");
+                 "its boundary is not plane");
 
       // Boundaries along the axes hold exactly one component.
       for (unsigned int d = 0; d < dim; ++d)
@@ -251,9 +251,7 @@ namespace stickslip
             if (cosine > 1. - 1e-8)
               return; // another face of the same plane
             if (cosine > 0.87)
-              report(condition,
-                     node.position,
-                     "the symmetry boundary is not plane");
+              report(condition, node.position, "its boundary is not plane");
           }
       node.rows.push_back({normal, 0., condition});
     }

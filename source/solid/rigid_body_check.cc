@@ -8,6 +8,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <string>
@@ -186,6 +187,53 @@ namespace stickslip
 
 
 
+  std::string
+  FreeMotion::text() const
+  {
+    return (bodies.size() > 1 ? "bodies " : "body ") + quoted_list(bodies) +
+           ": " + motion;
+  }
+
+
+
+  void
+  join_groups(const std::set<unsigned int> &joined,
+              std::vector<unsigned int>    &group_of_body)
+  {
+    for (unsigned int &group : group_of_body)
+      if (joined.count(group) > 0)
+        group = *joined.begin();
+  }
+
+
+
+  void
+  number_groups(std::vector<unsigned int> &group_of_body)
+  {
+    const std::set<unsigned int> numbers(group_of_body.begin(),
+                                         group_of_body.end());
+    for (unsigned int &group : group_of_body)
+      group = std::distance(numbers.begin(), numbers.find(group));
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  groups_joined_by_cuts(const BoundaryConditions<dim> &conditions,
+                        const Bodies                  &bodies)
+  {
+    std::vector<unsigned int> group(bodies.n_bodies());
+    std::iota(group.begin(), group.end(), 0U);
+    for (const auto &bolt : conditions.pretensions())
+      join_groups({group[bolt.sides[0].body], group[bolt.sides[1].body]},
+                  group);
+    number_groups(group);
+    return group;
+  }
+
+
+
   template <int dim>
   std::vector<FreeMotion>
   free_rigid_motions(const BoundaryConditions<dim> &conditions,
@@ -194,31 +242,28 @@ namespace stickslip
                      const DoFHandler<dim>         &dof_handler,
                      const double                   softest_spring)
   {
-    std::vector<unsigned int> alone(bodies.n_bodies());
-    std::iota(alone.begin(), alone.end(), 0U);
-    const auto modes = held_modes(
-      conditions, bodies, mapping, dof_handler, alone, softest_spring);
-    std::vector<FreeMotion> motions;
-    for (unsigned int b = 0; b < bodies.n_bodies(); ++b)
-      if (!bodies.bodies[b].is_rigid || conditions.drives_rigid_body(b))
-        for (const std::string &motion : modes[b].unheld())
-          motions.push_back({bodies.bodies[b].name, motion});
-    return motions;
+    return free_motions_of_groups(conditions,
+                                  bodies,
+                                  mapping,
+                                  dof_handler,
+                                  groups_joined_by_cuts(conditions, bodies),
+                                  softest_spring);
   }
 
 
 
   template <int dim>
-  std::vector<std::string>
+  std::vector<FreeMotion>
   free_motions_of_groups(const BoundaryConditions<dim>   &conditions,
                          const Bodies                    &bodies,
                          const Mapping<dim>              &mapping,
                          const DoFHandler<dim>           &dof_handler,
-                         const std::vector<unsigned int> &group_of_body)
+                         const std::vector<unsigned int> &group_of_body,
+                         const double                     softest_spring)
   {
-    const auto modes =
-      held_modes(conditions, bodies, mapping, dof_handler, group_of_body, 0.);
-    std::vector<std::string> texts;
+    const auto modes = held_modes(
+      conditions, bodies, mapping, dof_handler, group_of_body, softest_spring);
+    std::vector<FreeMotion> motions;
     for (unsigned int g = 0; g < modes.size(); ++g)
       {
         std::vector<std::string> names;
@@ -232,10 +277,9 @@ namespace stickslip
             }
         if (!is_held)
           for (const std::string &motion : modes[g].unheld())
-            texts.push_back((names.size() > 1 ? "bodies " : "body ") +
-                            quoted_list(names) + ": " + motion);
+            motions.push_back({names, motion});
       }
-    return texts;
+    return motions;
   }
 
 
@@ -247,12 +291,15 @@ namespace stickslip
     const Mapping<dim> &,                                   \
     const DoFHandler<dim> &,                                \
     const double);                                          \
-  template std::vector<std::string> free_motions_of_groups( \
+  template std::vector<FreeMotion> free_motions_of_groups(  \
     const BoundaryConditions<dim> &,                        \
     const Bodies &,                                         \
     const Mapping<dim> &,                                   \
     const DoFHandler<dim> &,                                \
-    const std::vector<unsigned int> &);
+    const std::vector<unsigned int> &,                      \
+    const double);                                          \
+  template std::vector<unsigned int> groups_joined_by_cuts( \
+    const BoundaryConditions<dim> &, const Bodies &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

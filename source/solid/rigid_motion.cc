@@ -3,6 +3,8 @@
 #include <stickslip/base/axes_across.h>
 #include <stickslip/base/user_error.h>
 
+#include <stickslip/solid/direction_parameters.h>
+
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/utilities.h>
 
@@ -46,8 +48,9 @@ namespace stickslip
       free_components[dim + k] = angle->is_free(k);
 
     Tensor<1, 3> axis;
-    std::tie(axis, centre) = axis_of<dim>(parameters, path);
-    axes[0]                = axis;
+    std::tie(axis, centre) =
+      axis_of<dim>(parameters.rotation_axis, parameters.rotation_centre, path);
+    axes[0] = axis;
     if constexpr (dim == 3)
       {
         const auto across = axes_across(axis);

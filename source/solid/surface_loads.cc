@@ -169,6 +169,10 @@ namespace stickslip
       {
         case BoundaryConditionType::traction:
           return load.vector(X, time);
+        case BoundaryConditionType::distributed_force:
+          return load.active.contains(time)
+                   ? load.distribution->traction(X, time)
+                   : Tensor<1, dim>();
         case BoundaryConditionType::pressure:
           return -load.pressure(X, time) * N;
         case BoundaryConditionType::follower_pressure:

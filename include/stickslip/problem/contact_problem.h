@@ -185,12 +185,28 @@ namespace stickslip
 
     /// Moments at the reference points of rigid motions with free components,
     /// and where these are, in the last evaluated state. Collective.
+    std::vector<std::pair<std::string, CutReaction>>
+    cut_reactions() const
+    {
+      return constraints->cut_reactions(configured_x.block(0), unbalanced);
+    }
+
     std::vector<std::pair<std::string, RigidReaction<dim>>>
     reference_points() const
     {
-      return constraints->reference_points(time,
-                                           configured_x.block(0),
-                                           unbalanced);
+      auto points =
+        constraints->reference_points(time, configured_x.block(0), unbalanced);
+      for (const Load<dim> &load : boundary_conditions.loads())
+        if (load.distribution)
+          points.emplace_back(
+            load.name,
+            load.distribution->mean_motion(dofs.mapping,
+                                           dofs.dof_handler,
+                                           load.boundary_ids,
+                                           mesh.bodies.cross_section,
+                                           u,
+                                           time));
+      return points;
     }
 
     /// Assembles matrix and right hand side of the increment at @p x.

@@ -6,8 +6,10 @@
 #include <stickslip/mesh/body.h>
 
 #include <stickslip/problem/dof_layout.h>
+#include <stickslip/problem/multiplier_constraints.h>
 
 #include <stickslip/solid/boundary_conditions.h>
+#include <stickslip/solid/pretension_cut.h>
 #include <stickslip/solid/rigid_coupling.h>
 
 #include <string>
@@ -19,9 +21,8 @@ namespace stickslip
   /**
    * Constraints of the unknowns [displacements, multipliers]: geometric ones
    * (hanging nodes, periodicity) and all those of a Newton increment, which
-   * also has to apply what is missing of the prescribed displacements.
-   * Multipliers follow the displacements where these are interpolated and are
-   * zero at excluded nodes.
+   * also has to apply what is missing of the prescribed displacements, and in
+   * which nodes follow reference points or the other side of a cut.
    */
   template <int dim>
   class ProblemConstraints
@@ -94,8 +95,9 @@ namespace stickslip
       return std::exchange(masters_are_new, false);
     }
 
-    /// Forces that drive reference points in the state of the last update(), as
-    /// forces on the nodes that stand for them; @p with_springs at the points.
+    /// Forces that drive reference points, in the state of the last update(),
+    /// and tensions of cuts, as forces on the nodes that stand for them;
+    /// @p with_springs at the points.
     /// Collective.
     LA::Vector
     driving_forces(const double time, const bool with_springs) const;
@@ -115,6 +117,11 @@ namespace stickslip
                      const LA::Vector &displacement,
                      const LA::Vector &unbalanced) const;
 
+    /// Tensions and shortenings of the cuts, by condition. Collective.
+    std::vector<std::pair<std::string, CutReaction>>
+    cut_reactions(const LA::Vector &displacement,
+                  const LA::Vector &unbalanced) const;
+
     /// As of the last update().
     double
     unapplied_displacement() const
@@ -126,7 +133,7 @@ namespace stickslip
     const DofLayout<dim>          &dofs;
     const BoundaryConditions<dim> &boundary_conditions;
     const ContactAssembler<dim>   &contact;
-    std::vector<bool>              master_is_rigid; ///< by pair
+    MultiplierConstraints<dim>     multiplier_constraints;
     IndexSet       rigid_dofs; ///< of rigid bodies, owned by this rank
     const MPI_Comm communicator;
 
@@ -137,11 +144,12 @@ namespace stickslip
     bool        masters_are_new = false;
 
     std::vector<RigidCoupling<dim>> rigid_couplings;
+    std::vector<PretensionCut<dim>> cuts;
 
     void
     find_couplings(const Bodies &bodies);
 
-    /// With the masters of the couplings, whose lines the ranks need.
+    /// With the masters of couplings and cuts, whose lines the ranks need.
     IndexSet
     with_masters(IndexSet dofs) const;
 
@@ -163,9 +171,6 @@ namespace stickslip
 
     Constraints
     known_where_needed(const Constraints &seen) const;
-
-    void
-    constrain_multipliers(Constraints &lines) const;
   };
 } // namespace stickslip
 

@@ -11,7 +11,6 @@
 #include <deal.II/base/tensor.h>
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace stickslip
@@ -26,7 +25,9 @@ namespace stickslip
     follower_pressure,
     spring,
     body_force,
-    periodic
+    distributed_force,
+    periodic,
+    pretension
   };
 
   enum class VectorComponents
@@ -58,10 +59,12 @@ namespace stickslip
     std::string              rotation_centre = "";
     std::string              force, torque;
     std::string              translation_stiffness, rotation_stiffness;
+    std::string              second_body; ///< empty: the same
     std::vector<std::string> second_boundary;
     std::string              amplitude;
     VectorComponents         components = VectorComponents::cartesian;
     std::string              active_from, active_until;
+    std::string              locked_from;
 
     void
     add_parameters(dealii::ParameterHandler &prm);
@@ -90,26 +93,17 @@ namespace stickslip
     /// Throws UserError if an end is no number or the interval is empty.
     ActiveInterval
     active_interval(const std::string &path) const;
+
+    /// When the force of a pretension acts. Throws UserError if the end is no
+    /// number.
+    ActiveInterval
+    drawn_interval(const std::string &path) const;
   };
 
-  /// The load times at which one of the conditions begins or ceases to act.
+  /// The load times at which one of the conditions begins or ceases to act, or
+  /// is locked.
   std::vector<double>
   ends_of_intervals(const NamedList<BoundaryConditionParameters> &conditions);
-
-  /// Axis (of unit length; z in 2D) and centre of a rotation or of cylindrical
-  /// components. Throws UserError naming the parameter below @p path.
-  template <int dim>
-  std::pair<dealii::Tensor<1, 3>, dealii::Point<dim>>
-  axis_of(const BoundaryConditionParameters &parameters,
-          const std::string                 &path);
-
-  /**
-   * A vector from a parameter: a letter x, y, z for a unit vector, or @p dim
-   * numbers separated by commas. Throws UserError naming @p path.
-   */
-  template <int dim>
-  dealii::Tensor<1, dim>
-  vector_from_parameter(const std::string &text, const std::string &path);
 } // namespace stickslip
 
 #endif

@@ -10,6 +10,7 @@
 #include <stickslip/solid/boundary_condition_parameters.h>
 #include <stickslip/solid/load.h>
 #include <stickslip/solid/prescribed_displacement.h>
+#include <stickslip/solid/pretension.h>
 
 #include <deal.II/dofs/dof_handler.h>
 
@@ -24,8 +25,8 @@ namespace stickslip
 {
   /**
    * What the user prescribes on the bodies' boundaries, made from the section
-   * "Boundary conditions": loads (for SolidAssembler), displacements and
-   * periodicity (as constraints).
+   * "Boundary conditions": loads (for SolidAssembler), displacements,
+   * periodicity and pretension (as constraints).
    */
   template <int dim>
   class BoundaryConditions
@@ -91,7 +92,8 @@ namespace stickslip
     BoundaryConditions
     permanent() const;
 
-    /// Whether the same conditions prescribe displacements at both times.
+    /// Whether the same conditions prescribe displacements at both times, and
+    /// the same cuts are locked.
     bool
     hold_the_same(const double time, const double other_time) const;
 
@@ -113,6 +115,12 @@ namespace stickslip
       return all_periodicities;
     }
 
+    const std::vector<Pretension<dim>> &
+    pretensions() const
+    {
+      return all_pretensions;
+    }
+
   private:
     void
     add_condition(const std::string                 &name,
@@ -130,13 +138,6 @@ namespace stickslip
     add_periodic_pair(const std::string                 &name,
                       const BoundaryConditionParameters &parameters);
 
-    /// A rigid body that a force moves has no other condition.
-    void
-    check_couplings_of_rigid_bodies() const;
-
-    void
-    hold_idle_rigid_bodies();
-
     /// Null if the condition names none.
     std::shared_ptr<const Amplitude>
     amplitude_of(const BoundaryConditionParameters &parameters,
@@ -152,6 +153,7 @@ namespace stickslip
     std::vector<PrescribedDisplacement<dim>> displacements;
     std::vector<Load<dim>>                   all_loads;
     std::vector<Periodicity>                 all_periodicities;
+    std::vector<Pretension<dim>>             all_pretensions;
   };
 } // namespace stickslip
 

@@ -7,6 +7,7 @@
 #include <stickslip/solid/active_interval.h>
 #include <stickslip/solid/boundary_condition_parameters.h>
 #include <stickslip/solid/cylindrical_frame.h>
+#include <stickslip/solid/force_distribution.h>
 
 #include <memory>
 #include <optional>
@@ -16,8 +17,8 @@
 namespace stickslip
 {
   /**
-   * One condition of the types traction, pressure, follower pressure, spring
-   * and body force.
+   * One condition of the types traction, pressure, follower pressure, spring,
+   * body force and distributed force.
    */
   template <int dim>
   struct Load
@@ -27,12 +28,16 @@ namespace stickslip
     unsigned int                 body;
     std::set<types::boundary_id> boundary_ids; ///< global; body force: empty
 
-    /// Traction, pressure or force per volume; not used by springs.
+    /// Traction, pressure or force per volume; not used by springs
+    /// and distributed forces.
     std::shared_ptr<const SpaceTimeFunction<dim>> value;
 
     /// Spring: d d^T for a direction d, or the identity, times the stiffness
     /// (force per reference area and displacement).
     Tensor<2, dim> stiffness;
+
+    /// Of a distributed force. SolidAssembler measures its boundary.
+    std::shared_ptr<ForceDistribution<dim>> distribution;
 
     ActiveInterval active;
 

@@ -54,8 +54,9 @@ namespace stickslip
      * wanted (nowhere if it is empty; see MeanDilatation). Keeps
      * references to everything but the laws, which it shares. The mesh and the
      * degrees of freedom must be complete; after a change of the mesh make a
-     * new object and transfer point_history(). Throws UserError if a
-     * deformable region has no law.
+     * new object and transfer point_history(). Measures the boundaries of
+     * distributed forces. Throws UserError if a deformable region has no law.
+     * Collective.
      */
     SolidAssembler(
       const Mapping<dim>                                        &mapping,

@@ -20,7 +20,7 @@ namespace stickslip
    * Forces on boundary faces, with N the outward normal and dA the area in the
    * reference configuration and p > 0 for compression:
    *
-   * - traction t (dead): external += t dA,
+   * - traction t (dead): external += t dA, also of distributed forces,
    * - pressure (dead): external += -p N dA,
    * - follower pressure: external += -p n da = -p cof(F) N dA, where cof(F)
    *   depends on the displacements along the face only (in 2D per undeformed
