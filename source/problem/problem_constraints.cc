@@ -94,6 +94,13 @@ namespace stickslip
                         nodes,
                         conditions,
                         geometric);
+    for (unsigned int i = 0; i < cuts.size(); ++i)
+      for (unsigned int j = 0; j < i; ++j)
+        if (cuts[i].shares_nodes_with(cuts[j]))
+          throw UserError("Boundary conditions/" + cuts[j].name() +
+                          " and Boundary conditions/" + cuts[i].name() +
+                          ": these cuts have nodes in common. Leave cells "
+                          "between them, and name each cut once.");
   }
 
 

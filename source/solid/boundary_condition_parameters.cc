@@ -334,6 +334,10 @@ namespace stickslip
   {
     ActiveInterval interval;
     read_time(locked_from, path + "/Locked from", interval.until);
+    if (!(interval.until > 0.))
+      throw UserError(path + "/Locked from is " + locked_from +
+                      ", but has to be greater than 0: what is locked at the "
+                      "start is never tightened.");
     return interval;
   }
 
