@@ -92,7 +92,7 @@ namespace stickslip
                         dofs.dof_handler,
                         bodies,
                         nodes,
-                        conditions,
+                        boundary_conditions.prescribed_displacements(),
                         geometric);
     for (unsigned int i = 0; i < cuts.size(); ++i)
       for (unsigned int j = 0; j < i; ++j)
