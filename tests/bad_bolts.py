@@ -22,6 +22,22 @@ CASES = {
     "a displacement that is locked": (
         BAR, own_condition("Body = upper", "Boundary = 3", "Value = 0; 0", "Locked from = 1"),
         WRONG_INPUT, ["Boundary conditions/own/Locked from", "'displacement' has no use"]),
+    "a bolt that is locked at the start": (BAR, bolt("Locked from = 0"), WRONG_INPUT, ["Boundary conditions/bolt/Locked from is 0", "greater than 0"]),
+    "a bolt that is locked at no time": (BAR, bolt("Locked from = nan"), WRONG_INPUT, ["Boundary conditions/bolt/Locked from is nan", "greater than 0"]),
+    "a cut that is named twice": (
+        BAR, own_condition("Type = pretension", "Body = lower", "Boundary = 3", "Second body = upper", "Second boundary = 2", "Force = 1"),
+        WRONG_INPUT, ["Boundary conditions/bolt", "Boundary conditions/own", "nodes in common"]),
+    "a cut that is named from both sides": (
+        BAR, own_condition("Type = pretension", "Body = upper", "Boundary = 2", "Second body = lower", "Second boundary = 3", "Force = 1"),
+        WRONG_INPUT, ["Boundary conditions/bolt", "Boundary conditions/own", "nodes in common"]),
+    "a cut that a displacement holds in its plane": (
+        "../pretension_hanging_nodes.prm", "".join(own_condition("Body = " + name, "Value = %s*t; free" % value).replace("own", "own" + name)
+                                                   for name, value in (("lower", 0), ("upper", 0.3))),
+        WRONG_INPUT, ["Boundary conditions/own", "no symmetry, holds the node", "Boundary conditions/bolt"]),
+    "a cut that a symmetry holds for a time": (
+        BAR, "".join(own_condition("Body = " + name, "Boundary = 0", "Type = symmetry", "Active until = 0.5").replace("own", "own" + name)
+                     for name in ("lower", "upper")),
+        WRONG_INPUT, ["Boundary conditions/own", "for a time only, the node", "Boundary conditions/bolt"]),
     "an unknown second body": (BAR, bolt("Second body = uper"), WRONG_INPUT, ["Boundary conditions/bolt/Second body", "'uper'", "'upper'"]),
     "a cut with one side": (
         BAR, bolt("Second body =", "Second boundary = 3"), WRONG_INPUT, ["Boundary conditions/bolt", "'Second boundary' are the same"]),

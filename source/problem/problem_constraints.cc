@@ -92,8 +92,15 @@ namespace stickslip
                         dofs.dof_handler,
                         bodies,
                         nodes,
-                        conditions,
+                        boundary_conditions.prescribed_displacements(),
                         geometric);
+    for (unsigned int i = 0; i < cuts.size(); ++i)
+      for (unsigned int j = 0; j < i; ++j)
+        if (cuts[i].shares_nodes_with(cuts[j]))
+          throw UserError("Boundary conditions/" + cuts[j].name() +
+                          " and Boundary conditions/" + cuts[i].name() +
+                          ": these cuts have nodes in common. Leave cells "
+                          "between them, and name each cut once.");
   }
 
 

@@ -53,8 +53,7 @@ namespace stickslip
     prm.add_parameter("Boundary",
                       boundary,
                       "The body's boundary ids or names. Empty for the whole "
-                      "body "
-                      "(displacement, rigid motion, body force).");
+                      "body (displacement, rigid motion, body force).");
     add_choice(
       prm,
       "Type",
@@ -70,8 +69,8 @@ namespace stickslip
       "force': force per reference volume, Value. 'distributed force': Force "
       "and Torque at Rotation centre, as tractions that are linear over the "
       "boundary and do not stiffen it. 'periodic': the "
-      "displacements "
-      "on Boundary and Second boundary are equal. 'pretension': these are the "
+      "displacements on Boundary and Second boundary are equal. 'pretension': "
+      "these are the "
       "two sides of a plane cut through a bolt, with the same nodes; Force "
       "draws them over each other, and from Locked from on this stays.");
     prm.add_parameter(
@@ -209,7 +208,6 @@ namespace stickslip
     };
 
     require(!body.empty(), "Body");
-
     const bool has_value = (type == BoundaryConditionType::displacement ||
                             type == BoundaryConditionType::traction ||
                             type == BoundaryConditionType::pressure ||
@@ -217,7 +215,6 @@ namespace stickslip
                             type == BoundaryConditionType::body_force);
     (has_value ? require(!value.empty(), "Value")
                : forbid(!value.empty(), "Value"));
-
     const bool moves = (type == BoundaryConditionType::displacement ||
                         type == BoundaryConditionType::rigid_motion);
     if (type == BoundaryConditionType::body_force)
@@ -334,6 +331,10 @@ namespace stickslip
   {
     ActiveInterval interval;
     read_time(locked_from, path + "/Locked from", interval.until);
+    if (!(interval.until > 0.))
+      throw UserError(
+        path + "/Locked from is " + locked_from +
+        ", but has to be greater than 0, to be tightened at all.");
     return interval;
   }
 

@@ -1,5 +1,6 @@
 #include <stickslip/solid/pretension_cut.h>
 
+#include <stickslip/base/over_ranks.h>
 #include <stickslip/base/user_error.h>
 
 #include <deal.II/numerics/rtree.h>
@@ -93,8 +94,13 @@ namespace stickslip
     for (const auto &of_rank : Utilities::MPI::all_gather(communicator, own[0]))
       first_side.insert(first_side.end(), of_rank.begin(), of_rank.end());
     match(first_side, own[1], tolerances);
+    this->first_side.set_size(dof_handler.n_dofs());
+    second_side.set_size(dof_handler.n_dofs());
     for (const SideNode &node : first_side)
-      all_masters.add_indices(node.dofs.begin(), node.dofs.end());
+      this->first_side.add_indices(node.dofs.begin(), node.dofs.end());
+    for (const OppositeNodes &nodes : pairs)
+      second_side.add_indices(nodes.second.begin(), nodes.second.end());
+    all_masters.add_indices(this->first_side);
     all_masters.add_index(second_pivot);
     all_masters.compress();
   }
@@ -167,6 +173,13 @@ namespace stickslip
       {
         if (std::abs(row.direction * normal) > same_direction)
           add_to_error(row.condition, " holds, along the bolt, the node");
+        const auto &condition_of_row = conditions[row.condition];
+        // values and times could be others on the other side
+        if (condition_of_row.type != BoundaryConditionType::symmetry &&
+            !condition_of_row.is_of_axis)
+          add_to_error(row.condition, ", no symmetry, holds the node");
+        else if (!condition_of_row.active.is_always())
+          add_to_error(row.condition, " holds, for a time only, the node");
         Tensor<1, dim> direction = row.direction;
         for (const auto &other : known)
           direction -= (row.direction * other) * other;
@@ -239,6 +252,19 @@ namespace stickslip
     first_pivot  = Utilities::MPI::min(first_pivot, communicator);
     if (second_pivot == numbers::invalid_dof_index)
       refuse("other conditions hold all nodes of its cut.");
+  }
+
+
+
+  template <int dim>
+  bool
+  PretensionCut<dim>::shares_nodes_with(const PretensionCut &other) const
+  {
+    const bool shares = !(first_side & other.first_side).is_empty() ||
+                        !(second_side & other.second_side).is_empty() ||
+                        !(first_side & other.second_side).is_empty() ||
+                        !(second_side & other.first_side).is_empty();
+    return any_rank(shares, communicator);
   }
 
 

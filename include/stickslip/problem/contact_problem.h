@@ -183,14 +183,17 @@ namespace stickslip
                             unbalanced);
     }
 
-    /// Moments at the reference points of rigid motions with free components,
-    /// and where these are, in the last evaluated state. Collective.
+    /// What goes through the cuts of bolts, in the last evaluated state.
+    /// Collective.
     std::vector<std::pair<std::string, CutReaction>>
     cut_reactions() const
     {
       return constraints->cut_reactions(configured_x.block(0), unbalanced);
     }
 
+    /// Moments at the reference points of rigid motions with free components
+    /// and of distributed forces, and where these are, in the last evaluated
+    /// state. Collective.
     std::vector<std::pair<std::string, RigidReaction<dim>>>
     reference_points() const
     {
@@ -198,14 +201,18 @@ namespace stickslip
         constraints->reference_points(time, configured_x.block(0), unbalanced);
       for (const Load<dim> &load : boundary_conditions.loads())
         if (load.distribution)
-          points.emplace_back(
-            load.name,
-            load.distribution->mean_motion(dofs.mapping,
-                                           dofs.dof_handler,
-                                           load.boundary_ids,
-                                           mesh.bodies.cross_section,
-                                           u,
-                                           time));
+          {
+            points.emplace_back(
+              load.name,
+              load.distribution->mean_motion(dofs.mapping,
+                                             dofs.dof_handler,
+                                             load.boundary_ids,
+                                             mesh.bodies.cross_section,
+                                             u,
+                                             time));
+            if (!load.active.contains(time))
+              points.back().second.moment = 0.;
+          }
       return points;
     }
 

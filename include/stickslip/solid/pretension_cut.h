@@ -47,9 +47,9 @@ namespace stickslip
      * @p held are the nodes that other @p conditions ever hold (owned ones),
      * @p geometric the constraints of hanging and periodic nodes. Throws
      * UserError on all ranks if the sides are not plane, if their nodes do not
-     * lie at the same places, or if a condition holds a node across the cut or
-     * on one of its sides only. Keeps a copy of all nodes of the first side.
-     * Collective.
+     * lie at the same places, or if a condition other than a symmetry holds one
+     * of them, or one on one side only, or along the bolt. Keeps a copy of all
+     * nodes of the first side. Collective.
      */
     PretensionCut(const Pretension<dim> &condition,
                   const Mapping<dim>    &mapping,
@@ -76,6 +76,10 @@ namespace stickslip
     {
       return all_masters;
     }
+
+    /// Whether a node is on a side of both. Collective.
+    bool
+    shares_nodes_with(const PretensionCut &other) const;
 
     /// Adds the tension, as forces on the pivot. Not compressed.
     void
@@ -118,6 +122,8 @@ namespace stickslip
     std::vector<OppositeNodes> pairs; ///< second node owned by this rank
     types::global_dof_index    first_pivot, second_pivot; ///< component p
     IndexSet                   all_masters;
+    IndexSet                   second_side; ///< owned by this rank
+    IndexSet                   first_side;  ///< of all ranks
 
     [[noreturn]] void
     refuse(const std::string &problem) const;
