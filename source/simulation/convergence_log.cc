@@ -85,6 +85,21 @@ namespace stickslip
 
 
   void
+  ConvergenceLog::rounding(const LawRounding &width)
+  {
+    if (!file.is_open())
+      return;
+    if (width.acts())
+      file << "  corners of the contact law rounded: pressure by "
+           << width.pressure << ", disc of friction by " << width.disc
+           << std::endl;
+    else
+      file << "  contact law exact again" << std::endl;
+  }
+
+
+
+  void
   ConvergenceLog::note(const std::string &text)
   {
     if (file.is_open())

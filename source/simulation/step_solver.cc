@@ -2,6 +2,8 @@
 
 #include <stickslip/contact/assembly/friction_multipliers.h>
 
+#include <stickslip/contact/cycling/law_continuation.h>
+
 #include <stickslip/simulation/dual_increment.h>
 
 #include <stickslip/strategy/nested_fixed_point.h>
@@ -33,7 +35,16 @@ namespace stickslip
         , cycle_treatment(cycle_treatment)
         , log(log)
         , stop_requests(stop_requests)
+        , continuation(problem.contact())
       {}
+
+      /// A solve begins.
+      void
+      begin_solve()
+      {
+        cycle_treatment.begin_solve();
+        continuation.end();
+      }
 
       void
       accept_iterate(const LA::BlockVector &x) override
@@ -57,6 +68,7 @@ namespace stickslip
         state.contact     = norms.contact;
         state.prescribed  = norms.prescribed;
         state.merit       = norms.merit;
+        continuation.observe(norms.merit);
         return state;
       }
 
@@ -110,6 +122,13 @@ namespace stickslip
       CycleTreatment
       treat_cycle(const bool stagnates) override
       {
+        if (continuation.acts())
+          return continuation.advance() ? law_has_changed() :
+                                          CycleTreatment::none;
+        if (stagnates && cycle_treatment.may_round_corners() &&
+            increment_solver == IncrementSolver::linear_system &&
+            continuation.begin())
+          return law_has_changed();
         const CycleTreatment treatment = cycle_treatment.observe(stagnates);
         if (cycle_treatment.last_report())
           log.cycle_treatment(*cycle_treatment.last_report());
@@ -119,7 +138,11 @@ namespace stickslip
       bool
       release_fixed_statuses() override
       {
-        return cycle_treatment.release();
+        if (!continuation.acts())
+          return cycle_treatment.release();
+        continuation.sharpen();
+        law_has_changed();
+        return true;
       }
 
     private:
@@ -130,6 +153,14 @@ namespace stickslip
       StatusCycleTreatment<dim> &cycle_treatment;
       ConvergenceLog            &log;
       const StopRequests        &stop_requests;
+      LawContinuation<dim>       continuation;
+
+      CycleTreatment
+      law_has_changed()
+      {
+        log.rounding(problem.contact().rounding);
+        return CycleTreatment::treated;
+      }
 
       void
       solve_linear_system(const LA::BlockVector &x,
@@ -147,6 +178,11 @@ namespace stickslip
         if (!note.empty())
           log.note(note);
         problem.distribute(increment);
+        const ContactAssembler<dim> &contact = problem.contact();
+        contact.linearized_friction().convert_increment(
+          contact.multipliers().owned_nodes(),
+          x.block(1),
+          increment.block(1));
       }
     };
   } // namespace
@@ -208,7 +244,7 @@ namespace stickslip
           const auto next =
             control.next_attempt(attempt,
                                  failure.cause,
-                                 {cycle_treatment.stiffness_scales_differ(),
+                                 {cycle_treatment.default_scales_differ(),
                                   cycle_treatment.hysteresis_would_help()});
           if (!next)
             throw;
@@ -225,8 +261,8 @@ namespace stickslip
   void
   StepSolver<dim>::prepare(const Attempt &attempt)
   {
-    if (attempt.scales == Attempt::Scales::contact_stiffness)
-      cycle_treatment.use_stiffness_scales();
+    if (attempt.scales == Attempt::Scales::automatic)
+      cycle_treatment.use_default_scales();
     if (attempt.pairing == Attempt::Pairing::hysteresis)
       cycle_treatment.activate_hysteresis();
     problem.counts = SolveCounts();
@@ -254,7 +290,7 @@ namespace stickslip
       make_loops(
         strategy, parameters.algorithm, problem.quantities(), problem.counts),
       [&](LA::BlockVector &state) {
-        cycle_treatment.begin_solve();
+        newton_problem.begin_solve();
         newton_solver.solve(state);
       },
       [this](const std::string &quantity,

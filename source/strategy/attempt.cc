@@ -34,7 +34,7 @@ namespace stickslip
     bool
     is_retry(const Attempt &attempt)
     {
-      return attempt.scales == Attempt::Scales::contact_stiffness;
+      return attempt.scales == Attempt::Scales::automatic;
     }
   } // namespace
 
@@ -50,7 +50,7 @@ namespace stickslip
     next.pairing = Attempt::Pairing::hysteresis;
     if (!is_retry(failed) && (effect.scales || effect.pairing))
       {
-        next.scales = Attempt::Scales::contact_stiffness;
+        next.scales = Attempt::Scales::automatic;
         return next;
       }
     const auto present =
@@ -72,8 +72,8 @@ namespace stickslip
     std::string text = "next attempt: " + name_of(next.algorithm);
     if (next.guess != failed.guess)
       text += ", from the accepted state";
-    if (next.scales == Attempt::Scales::contact_stiffness)
-      text += ", r at the contact stiffness";
+    if (next.scales == Attempt::Scales::automatic)
+      text += ", automatic r";
     if (next.pairing != failed.pairing)
       text += ", pairing with hysteresis";
     return text;

@@ -19,6 +19,11 @@ namespace stickslip
     /// Factor by which the merit of a state of roundoff may grow.
     constexpr double growth_of_roundoff = 10.;
 
+    /// Prescribed displacements are as good as applied if no more than this is
+    /// missing of what was to be applied. Those of bodies that turn are never
+    /// quite, before the end.
+    constexpr double negligible_share = 1e-2;
+
     /// Iterates whose largest merit is the reference.
     constexpr unsigned int n_remembered_iterates = 2;
   } // namespace
@@ -36,7 +41,10 @@ namespace stickslip
   void
   MeritReference::add(const NewtonIteration &state)
   {
-    if (state.prescribed > 0.)
+    if (!prescribed_at_start)
+      prescribed_at_start = state.prescribed;
+    if (*prescribed_at_start > 0. &&
+        state.prescribed > negligible_share * *prescribed_at_start)
       return;
     last_merits.push_back(state.merit);
     if (last_merits.size() > n_remembered_iterates)

@@ -336,7 +336,6 @@ namespace contact_test
                            state.response);
       restrain_Lambda(state.kinematics,
                       state.multipliers,
-                      state.status,
                       projector,
                       point.restrained.Lambda,
                       law.r.r_t_law,

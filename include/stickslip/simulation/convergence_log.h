@@ -43,6 +43,10 @@ namespace stickslip
     void
     cycle_treatment(const CycleReport &report);
 
+    /// The contact law has other corners now (LawContinuation).
+    void
+    rounding(const LawRounding &width);
+
     /// The iterations of the last Newton run, on all ranks.
     const std::vector<NewtonIteration> &
     last_newton_run() const

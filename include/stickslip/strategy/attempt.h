@@ -26,7 +26,7 @@ namespace stickslip
     enum class Scales
     {
       as_adapted,       ///< with the factors of earlier cycle treatments
-      contact_stiffness ///< set back to the stiffness of the contact
+      automatic ///< set back to what the rule has by itself
     };
 
     /// How contact points find their master facets.

@@ -5,6 +5,7 @@
 #include <stickslip/strategy/newton_problem.h>
 
 #include <deque>
+#include <optional>
 
 namespace stickslip
 {
@@ -19,12 +20,13 @@ namespace stickslip
   class MeritReference
   {
   public:
-    /// Forgets what was compared before: the equations are others.
+    /// Forgets what was compared before: the equations are others, in the same
+    /// solve.
     void
     restart();
 
-    /// An iterate from which a search begins. One that lacks prescribed
-    /// displacements has a residual that compares with no other.
+    /// An iterate from which a search begins. One that lacks much of the
+    /// prescribed displacements has a residual that compares with no other.
     void
     add(const NewtonIteration &state);
 
@@ -34,6 +36,7 @@ namespace stickslip
 
   private:
     std::deque<double> last_merits;
+    std::optional<double> prescribed_at_start; ///< of the first iterate
   };
 
 

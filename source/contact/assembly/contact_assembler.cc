@@ -172,6 +172,20 @@ namespace stickslip
 
 
   template <int dim>
+  bool
+  ContactAssembler<dim>::has_linearized_friction(
+    const ContactPair<dim>  &pair,
+    const ContactPoint<dim> &point) const
+  {
+    return pair.mortar && this->live.threshold &&
+           pair.parameters.friction == Friction::Coulomb &&
+           !pair.parameters.is_bilateral() &&
+           point.restrained.directions.empty();
+  }
+
+
+
+  template <int dim>
   void
   ContactAssembler<dim>::evaluate_local_residual(
     const ContactPair<dim>       &pair,
@@ -258,7 +272,7 @@ namespace stickslip
             pair->table.multiplier[point.geometry.quadrature_index];
           const unsigned int n_comp = pair->n_multiplier_components();
           const double       friction_scale =
-            state.status.closed && state.response.threshold > 0.
+            state.response.threshold > 0.
                     ? state.response.threshold / point.regularization.r_t_law
                     : point.scales.open_row;
           const double normal_stress =
@@ -289,6 +303,7 @@ namespace stickslip
   {
     Vector<double>     local;
     FullMatrix<double> local_matrix;
+    friction.reinit(numbering.locally_owned(), communicator);
     for (const auto &pair : pairs)
       for (auto &point : pair->points)
         {
@@ -310,7 +325,18 @@ namespace stickslip
                                  local_matrix);
           constraints.distribute_local_to_global(
             local_matrix, local, dofs, matrix, rhs);
+          if (has_linearized_friction(*pair, point))
+            {
+              const unsigned int i = point.geometry.quadrature_index;
+              friction.add_point(pair->slave_faces[point.geometry.slave_face]
+                                   .multiplier_dofs[i * dim],
+                                 pair->parameters.friction_coefficient,
+                                 point,
+                                 point.nodal_rotations[i],
+                                 state);
+            }
         }
+    friction.compress();
   }
 
   template class ContactAssembler<2>;

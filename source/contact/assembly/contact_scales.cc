@@ -116,6 +116,8 @@ namespace stickslip
         const ContactPairParameters &parameters = pair->parameters;
         const RegularizationFactors  factor =
           parameters.regularization.factors(parameters.quadrature);
+        const auto [default_r_n, default_r_t] =
+          default_factors(parameters.quadrature);
 
         std::vector<double> thresholds;
         double              largest  = 0.;
@@ -162,6 +164,8 @@ namespace stickslip
             scales.stiffness                = k;
             scales.threshold                = s;
             scales.stiffness_over_threshold = k / s;
+            scales.default_r_n              = default_r_n * k;
+            scales.default_r_t              = default_r_t * k / s;
             const ScaleUnits units          = units_of(*pair, scales);
             const double     n = point.treatment.r_n_factor * units.n;
             const double     t = point.treatment.r_t_factor * units.t;

@@ -12,6 +12,7 @@ namespace stickslip
               const ContactPoint<dim>      &point,
               const ContactEvaluation<dim> &state,
               const bool                    is_live,
+              const bool                    is_rounded,
               const StatusRule              rule)
     {
       const bool    has_friction = pair.parameters.has_friction();
@@ -27,7 +28,7 @@ namespace stickslip
                             state.kinematics.d_n,
                             point.regularization)
                 : point.frozen.closed);
-      if (result.closed && has_friction)
+      if ((result.closed || is_rounded) && has_friction)
         result.stick = point.treatment.fixed_stick.value_or(
           is_stick(tangential_vector<dim>(state.multipliers.Lambda,
                                           state.kinematics.tau),
@@ -222,7 +223,12 @@ namespace stickslip
                                            : point.frozen.threshold;
     if (parameters.is_tied())
       law.threshold.given = pair.softest_modulus;
-    law.open_row = point.scales.open_row;
+    law.open_row       = point.scales.open_row;
+    law.holds_at_point = pair.mortar != nullptr;
+    if (point.pairing.paired && live.status &&
+        status_rule == StatusRule::contact_law && !parameters.is_bilateral() &&
+        !point.treatment.fixed_closed)
+      law.rounding = rounding;
     return law;
   }
 
@@ -244,7 +250,8 @@ namespace stickslip
                                 with_derivatives,
                                 state.kinematics);
     const PointLaw law = law_at(pair, point);
-    state.status = status_of(pair, point, state, live.status, status_rule);
+    state.status       = status_of(
+      pair, point, state, live.status, law.rounding.acts(), status_rule);
     evaluate_contact_law(law,
                          state.kinematics,
                          state.multipliers,
@@ -254,7 +261,6 @@ namespace stickslip
     if (is_restrained)
       restrain_Lambda(state.kinematics,
                       state.multipliers,
-                      state.status,
                       projector,
                       point.restrained.Lambda,
                       law.r.r_t_law,

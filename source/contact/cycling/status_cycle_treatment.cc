@@ -11,7 +11,7 @@ namespace stickslip
 {
   namespace
   {
-    /// Another r has to be nearer to the stiffness by this factor.
+    /// Another r has to be nearer to the default by this factor.
     constexpr double no_change = 1.01;
 
     /// Changes of r above this factor are a reason to try a step again.
@@ -63,12 +63,19 @@ namespace stickslip
       adapt_scales,
       expert(
         "Points whose statuses were proven to cycle get another "
-        "regularization parameter, the nearest to the stiffness of the contact "
-        "that gives the last two states the same status (paper, eqs. 29 and "
-        "32). "
-        "If a solve fails all the same, all take that stiffness. Only with "
+        "regularization parameter, the nearest to the automatic one that gives "
+        "the last two states the same status (paper, eqs. 29 and 32). If a "
+        "solve fails all the same, all take the automatic one. Only with "
         "'Quadrature = segments' or 'nodal', where the answer does not depend "
         "on it."));
+    prm.add_parameter(
+      "Round corners",
+      round_corners,
+      expert(
+        "Where the residual has not become smaller for some iterations, the "
+        "corners of the contact law (closed or open, stick or slip) are "
+        "rounded and made sharp again while Newton's method converges; what is "
+        "accepted satisfies the exact law."));
     prm.add_parameter("Hold statuses",
                       fix_statuses,
                       expert(
@@ -158,13 +165,13 @@ namespace stickslip
     const Regularization &r         = point.regularization;
     const bool            is_normal = cycle.kind == CycleKind::contact;
     const double          present   = is_normal ? r.r_n_status : r.r_t_status;
-    const double          stiffness = is_normal ? point.scales.stiffness
-                                                : point.scales.stiffness_over_threshold;
-    const double          better = is_normal ? admissible_r_n(a, b, stiffness)
-                                             : admissible_r_t(a, b, stiffness);
-    // farther from the stiffness another r only makes another cycle
-    if (better == 0. || distance(better, stiffness) + std::log(no_change) >
-                          distance(present, stiffness))
+    const double          natural =
+      is_normal ? point.scales.default_r_n : point.scales.default_r_t;
+    const double better = is_normal ? admissible_r_n(a, b, natural)
+                                    : admissible_r_t(a, b, natural);
+    // farther from the default another r only makes another cycle
+    if (better == 0. || distance(better, natural) + std::log(no_change) >
+                          distance(present, natural))
       return false;
     (is_normal ? point.treatment.r_n_factor : point.treatment.r_t_factor) *=
       better / present;
@@ -298,7 +305,7 @@ namespace stickslip
 
   template <int dim>
   bool
-  StatusCycleTreatment<dim>::stiffness_scales_differ() const
+  StatusCycleTreatment<dim>::default_scales_differ() const
   {
     double largest = 0.;
     for (const auto &pair : contact.contact_pairs())
@@ -306,11 +313,11 @@ namespace stickslip
         for (const auto &point : pair->points)
           {
             const Regularization &r = point.regularization;
-            largest =
-              std::max(largest, distance(point.scales.stiffness, r.r_n_status));
+            largest              = std::max(largest,
+                               distance(point.scales.default_r_n, r.r_n_status));
             if (pair->parameters.has_friction())
               largest = std::max(largest,
-                                 distance(point.scales.stiffness_over_threshold,
+                                 distance(point.scales.default_r_t,
                                           r.r_t_status));
           }
     return Utilities::MPI::max(largest, contact.get_communicator()) >
@@ -321,16 +328,15 @@ namespace stickslip
 
   template <int dim>
   void
-  StatusCycleTreatment<dim>::use_stiffness_scales()
+  StatusCycleTreatment<dim>::use_default_scales()
   {
     for (const auto &pair : contact.contact_pairs())
       if (scales_may_change(*pair))
         for (auto &point : pair->points)
           {
             const Regularization &r = point.regularization;
-            point.treatment.r_n_factor *= point.scales.stiffness / r.r_n_status;
-            point.treatment.r_t_factor *=
-              point.scales.stiffness_over_threshold / r.r_t_status;
+            point.treatment.r_n_factor *= point.scales.default_r_n / r.r_n_status;
+            point.treatment.r_t_factor *= point.scales.default_r_t / r.r_t_status;
           }
   }
 

@@ -7,44 +7,16 @@ namespace stickslip
 {
   namespace
   {
-    /// Projected friction direction T and A = dT/dg.
-    template <int dim>
-    struct FrictionDirection
-    {
-      Tensor<1, dim> T;
-      Tensor<2, dim> A;
-    };
-
-
-
-    template <int dim>
-    FrictionDirection<dim>
-    friction_direction(const Tensor<1, dim> &g, const bool stick)
-    {
-      const Tensor<2, dim> I = unit_symmetric_tensor<dim>();
-      if (stick)
-        return {g, I};
-      const double length = g.norm();
-      // by coincidence without a direction: no friction, and no division by 0
-      if (length == 0.)
-        return {g, Tensor<2, dim>()};
-      return {g / length,
-              (I - outer_product(g, g) / (length * length)) / length};
-    }
-
-
-
-    /// s at the point.
+    /// s at the point, from lambda_n and from min(lambda_n - r_n d_n, 0).
     double
     threshold_value(const FrictionThreshold &threshold,
                     const double             lambda_n,
-                    const double             r_n,
-                    const double             d_n)
+                    const double             pressure)
     {
       const double mu = threshold.friction_coefficient;
       double       s  = threshold.given;
       if (threshold.kind == ThresholdKind::augmented)
-        s = augmented_threshold(mu, lambda_n, r_n, d_n);
+        s = std::max(-mu * pressure, 0.);
       else if (threshold.kind == ThresholdKind::plain)
         s = -mu * lambda_n;
       // a pressure of roundoff would make Lambda as large as its inverse
@@ -53,11 +25,12 @@ namespace stickslip
 
 
 
-    /// ds, from the derivative of d_n.
+    /// ds, from the derivatives of min(lambda_n - r_n d_n, 0) and of d_n.
     template <int dim>
     typename GeneralizedCoordinates<dim>::Row
     threshold_derivative(const FrictionThreshold &threshold,
                          const double             s,
+                         const double             slope,
                          const double             r_n,
                          const typename GeneralizedCoordinates<dim>::Row &D_d_n)
     {
@@ -68,7 +41,7 @@ namespace stickslip
       D_s.fill(0.);
       if (threshold.kind == ThresholdKind::augmented && s > 0.)
         for (unsigned int c = 0; c < G::n; ++c)
-          D_s[c] = -mu * ((c == G::lambda) - r_n * D_d_n[c]);
+          D_s[c] = -mu * slope * ((c == G::lambda) - r_n * D_d_n[c]);
       else if (threshold.kind == ThresholdKind::plain)
         D_s[G::lambda] = -mu;
       return D_s;
@@ -133,55 +106,65 @@ namespace stickslip
     const auto  &r      = point_law.r;
     const auto  &k      = kinematics;
     const double lambda = multipliers.lambda_n;
-    const double S_c    = status.closed ? 1. : 0.;
+    const auto  &width  = point_law.rounding;
+    const bool   acts   = status.closed || width.acts();
 
     // normal part
-    const double pressure = lambda - r.r_n_augmentation * k.d_n;
-    response.traction     = -S_c * pressure * k.n;
-    response.row_lambda =
-      -(lambda - S_c * (lambda - r.r_n_law * k.d_n)) / r.r_n_law;
+    const NegativePart pressure =
+      negative_part(lambda - r.r_n_augmentation * k.d_n,
+                    status.closed,
+                    width.pressure);
+    const NegativePart law_pressure =
+      negative_part(lambda - r.r_n_law * k.d_n, status.closed, width.pressure);
+    response.traction   = -pressure.value * k.n;
+    response.row_lambda = -(lambda - law_pressure.value) / r.r_n_law;
     if (differentiate)
       {
         response.D_row_lambda.fill(0.);
-        response.D_row_lambda[G::lambda] = -(1. - S_c) / r.r_n_law;
+        response.D_row_lambda[G::lambda] =
+          -(1. - law_pressure.slope) / r.r_n_law;
         for (unsigned int c = 0; c < G::n; ++c)
           {
-            response.D_row_lambda[c] -= S_c * k.D_d_n[c];
+            response.D_row_lambda[c] -= law_pressure.slope * k.D_d_n[c];
             const double D_pressure =
               (c == G::lambda) - r.r_n_augmentation * k.D_d_n[c];
             for (unsigned int i = 0; i < dim; ++i)
               response.D_traction[i][c] =
-                -S_c * (k.n[i] * D_pressure + pressure * k.D_n[i][c]);
+                -(pressure.slope * k.n[i] * D_pressure +
+                  pressure.value * k.D_n[i][c]);
           }
         for (auto &row : response.D_row_Lambda)
           row.fill(0.);
       }
-    response.row_Lambda = Tensor<1, dim - 1>();
-    response.threshold  = 0.;
+    response.row_Lambda         = Tensor<1, dim - 1>();
+    response.threshold          = 0.;
+    response.friction_direction = Tensor<1, dim>();
     if (point_law.threshold.kind == ThresholdKind::none)
       return;
 
     // friction part
     const double s =
-      threshold_value(point_law.threshold, lambda, r.r_n_augmentation, k.d_n);
-    response.threshold = s;
-    if (!status.closed || s == 0.)
+      threshold_value(point_law.threshold, lambda, pressure.value);
+    response.threshold = acts ? s : 0.;
+    if (!acts || s == 0.)
       {
         response.row_Lambda = -point_law.open_row * multipliers.Lambda;
         if (differentiate)
           for (unsigned int b = 0; b < dim - 1; ++b)
             response.D_row_Lambda[b][G::Lambda + b] = -point_law.open_row;
-        if (!status.closed)
+        if (!acts)
           return;
       }
 
     const Tensor<1, dim> Lambda =
       tangential_vector<dim>(multipliers.Lambda, k.tau);
-    const auto force =
-      friction_direction(Lambda + r.r_t_augmentation * k.d_t, status.stick);
+    const auto force = disc_projection(Lambda + r.r_t_augmentation * k.d_t,
+                                       status.stick,
+                                       width.disc);
     const auto law =
-      friction_direction(Lambda + r.r_t_law * k.d_t, status.stick);
+      disc_projection(Lambda + r.r_t_law * k.d_t, status.stick, width.disc);
     response.traction += s * force.T;
+    response.friction_direction   = force.T;
     const Tensor<1, dim> mismatch = law.T - Lambda;
     if (s != 0.)
       for (unsigned int b = 0; b < dim - 1; ++b)
@@ -191,6 +174,7 @@ namespace stickslip
 
     response.D_threshold = threshold_derivative<dim>(point_law.threshold,
                                                      s,
+                                                     pressure.slope,
                                                      r.r_n_augmentation,
                                                      k.D_d_n);
     for (unsigned int c = 0; c < G::n; ++c)
@@ -205,17 +189,18 @@ namespace stickslip
                              multipliers.Lambda[b] * k.D_tau[b][i][c];
           }
         const Tensor<1, dim> D_T =
-          force.A * (D_Lambda + r.r_t_augmentation * D_d_t);
+          force.derivative * (D_Lambda + r.r_t_augmentation * D_d_t);
         for (unsigned int i = 0; i < dim; ++i)
           response.D_traction[i][c] += force.T[i] * D_s + s * D_T[i];
         if (s == 0.)
           continue;
-        const Tensor<1, dim> D_law = law.A * (D_Lambda + r.r_t_law * D_d_t);
+        const Tensor<1, dim> D_law = law.derivative * (D_Lambda + r.r_t_law * D_d_t);
         const Tensor<1, dim> D_mismatch = D_law - D_Lambda;
         for (unsigned int b = 0; b < dim - 1; ++b)
           {
-            double D_row =
-              (k.tau[b] * mismatch) * D_s + s * (k.tau[b] * D_mismatch);
+            double D_row = s * (k.tau[b] * D_mismatch);
+            if (!point_law.holds_at_point)
+              D_row += (k.tau[b] * mismatch) * D_s;
             for (unsigned int i = 0; i < dim; ++i)
               D_row += s * k.D_tau[b][i][c] * mismatch[i];
             response.D_row_Lambda[b][c] = D_row / r.r_t_law;

@@ -83,20 +83,18 @@ namespace stickslip
         "Normal regularization parameter of the three roles (status, "
         "augmentation, "
         "law) that have no number of their own: a number or, unless 'Scale = "
-        "plain', automatic. That is 1 with 'Scale = bound' and where the "
-        "contact "
-        "points are the multiplier nodes (the answer does not depend on it "
-        "there), and 0.01 for rules with more points than multipliers (the "
-        "answer drifts with it)."));
+        "plain', automatic. That is 1 with 'Scale = bound' and for nodal, 0.03 "
+        "for segments (the answer does not depend on it with these two), and "
+        "0.01 for rules with more points than multipliers (the answer drifts "
+        "with it)."));
     prm.add_parameter(
       "r_t",
       r_t,
       expert(
         "Tangential regularization parameter of the three roles that have no "
         "number of their own: a number or, unless 'Scale = plain', automatic. "
-        "That is 1 with 'Scale = bound' and where the contact points are the "
-        "multiplier nodes, and 0.25 for other rules (the answer drifts with it "
-        "there)."));
+        "That is 1 with 'Scale = bound' and for nodal, 0.1 for segments, and "
+        "0.25 for other rules (the answer drifts with it there)."));
     prm.add_parameter("r_n status",
                       r_n_status,
                       expert(
@@ -135,16 +133,30 @@ namespace stickslip
 
 
 
+  DefaultFactors
+  default_factors(const ContactRule rule)
+  {
+    // One multiplier per point: the answer does not depend on them. Segments
+    // take the fewest iterations with small ones, which turn no slip that is
+    // wrong into one the other way; nodal with r_t from 1 to 2 where surfaces
+    // slide. Other rules: small, because the answer drifts with r.
+    if (rule == ContactRule::segments)
+      return {0.03, 0.1};
+    if (has_one_multiplier_per_point(rule))
+      return {1., 1.};
+    return {0.01, 0.25};
+  }
+
+
+
   RegularizationFactors
   RegularizationParameters::factors(const ContactRule rule) const
   {
-    // Nodal: GNM takes the fewest iterations with r_t from 1 to 2 where
-    // surfaces slide, and cuts steps with 0.25 and 0.5. Other rules: smaller,
-    // because the answer drifts with r.
-    const bool drifts = scale == RegularizationScale::automatic &&
-                        !has_one_multiplier_per_point(rule);
-    const double n = number_or(r_n, "automatic", drifts ? 0.01 : 1.);
-    const double t = number_or(r_t, "automatic", drifts ? 0.25 : 1.);
+    const DefaultFactors automatic = scale == RegularizationScale::automatic
+                                       ? default_factors(rule)
+                                       : DefaultFactors();
+    const double         n = number_or(r_n, "automatic", automatic.r_n);
+    const double         t = number_or(r_t, "automatic", automatic.r_t);
     return {number_or(r_n_status, "r_n", n),
             number_or(r_n_augmentation, "r_n", n),
             number_or(r_n_law, "r_n", n),

@@ -57,7 +57,6 @@ namespace stickslip
   void
   restrain_Lambda(const ContactKinematics<dim> &kinematics,
                   const Multipliers<dim>       &multipliers,
-                  const ContactStatus          &status,
                   const Tensor<2, dim>         &projector,
                   const Tensor<1, dim - 1>     &restrained_Lambda,
                   const double                  r_t_law,
@@ -65,7 +64,7 @@ namespace stickslip
                   ContactResponse<dim>         &response)
   {
     const double s = response.threshold;
-    if (!status.closed || s == 0.)
+    if (s == 0.)
       return;
     const auto &tau = kinematics.tau;
     // The rows as a vector of the tangent plane lose their restrained part and
@@ -115,7 +114,6 @@ namespace stickslip
                                         ContactKinematics<dim> &);           \
   template void           restrain_Lambda(const ContactKinematics<dim> &,    \
                                           const Multipliers<dim> &,          \
-                                          const ContactStatus &,             \
                                           const Tensor<2, dim> &,            \
                                           const Tensor<1, dim - 1> &,        \
                                           const double,                      \

@@ -1,6 +1,7 @@
 #ifndef stickslip_contact_assembly_contact_assembler_h
 #define stickslip_contact_assembly_contact_assembler_h
 
+#include <stickslip/contact/assembly/linearized_friction.h>
 #include <stickslip/contact/assembly/point_evaluator.h>
 
 #include <memory>
@@ -108,6 +109,13 @@ namespace stickslip
     void
     share_sides();
 
+    /// Friction as the last add_tangent() has linearized it.
+    const LinearizedFriction<dim> &
+    linearized_friction() const
+    {
+      return friction;
+    }
+
     const MPI_Comm &
     get_communicator() const
     {
@@ -115,6 +123,11 @@ namespace stickslip
     }
 
   private:
+    /// See linearized_friction().
+    bool
+    has_linearized_friction(const ContactPair<dim>  &pair,
+                            const ContactPoint<dim> &point) const;
+
     /// Weak form of a point, and its tangent, in the order of point_dofs().
     void
     evaluate_local_residual(const ContactPair<dim>       &pair,
@@ -131,6 +144,7 @@ namespace stickslip
 
     std::vector<std::unique_ptr<ContactPair<dim>>> pairs;
     MultiplierNumbering                            numbering;
+    LinearizedFriction<dim>                        friction;
     types::global_dof_index                        n_displacements;
     IndexSet                                       relevant_displacements;
     MPI_Comm                                       communicator;

@@ -36,8 +36,9 @@ namespace stickslip
   class PointEvaluator
   {
   public:
-    Liveness   live;
-    StatusRule status_rule = StatusRule::contact_law;
+    Liveness    live;
+    StatusRule  status_rule = StatusRule::contact_law;
+    LawRounding rounding; ///< of points whose status is live and not fixed
 
     /// State of a point in the present configuration, without derivatives.
     /// Valid until the next call.

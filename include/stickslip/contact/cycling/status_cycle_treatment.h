@@ -19,6 +19,7 @@ namespace stickslip
   {
     bool adapt_scales = true;
     bool fix_statuses = true;
+    bool round_corners = true;
 
     void
     add_parameters(ParameterHandler &prm);
@@ -57,10 +58,10 @@ namespace stickslip
    * Finds points whose statuses cycle while a residual does not become smaller,
    * and ends the cycle (paper, section 6):
    *
-   * 1. closed/open, stick/slip, slip to and fro: the nearest r to the stiffness
-   *    of the contact for which the last two states have the same status
-   *    (paper, eqs. 29 and 32). Only with nodal quadrature, where no answer
-   *    depends on r.
+   * 1. closed/open, stick/slip, slip to and fro: the nearest r to the automatic
+   *    one for which the last two states have the same status (paper, eqs. 29
+   *    and 32). Only with segments and nodal quadrature, where no answer depends
+   *    on r.
    * 2. If no r does, or the point cycles again: its status is fixed (closed,
    *    stick; the next time open, slip) until the residual has converged; then
    *    release() frees all statuses, so that what is accepted satisfies the
@@ -97,6 +98,13 @@ namespace stickslip
       return report;
     }
 
+    /// LawContinuation is allowed.
+    bool
+    may_round_corners() const
+    {
+      return parameters.round_corners;
+    }
+
     /// Frees all fixed statuses. True if there were any.
     bool
     release();
@@ -111,13 +119,13 @@ namespace stickslip
     void
     activate_hysteresis();
 
-    /// use_stiffness_scales() would change an r by more than a factor of two.
+    /// use_default_scales() would change an r by more than a factor of two.
     bool
-    stiffness_scales_differ() const;
+    default_scales_differ() const;
 
-    /// All r at the stiffness of the contact, as the last iteration knew it.
+    /// All r at their automatic values, as the last iteration knew them.
     void
-    use_stiffness_scales();
+    use_default_scales();
 
     const StatusHistory<dim> &
     history() const

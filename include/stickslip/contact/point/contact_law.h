@@ -2,6 +2,7 @@
 #define stickslip_contact_point_contact_law_h
 
 #include <stickslip/contact/point/contact_kinematics.h>
+#include <stickslip/contact/point/law_corners.h>
 
 #include <array>
 
@@ -42,6 +43,9 @@ namespace stickslip
     Regularization    r;
     FrictionThreshold threshold;
     double            open_row = 1.; ///< c of open Lambda rows [stress length]
+    LawRounding       rounding;
+    /// T = Lambda at the solution, not only in the mean over points.
+    bool holds_at_point = false;
   };
 
 
@@ -75,6 +79,7 @@ namespace stickslip
     double             row_lambda = 0.;
     Tensor<1, dim - 1> row_Lambda;
     double             threshold = 0.; ///< s used
+    Tensor<1, dim>     friction_direction; ///< T(r_t^A): the force is s T
 
     std::array<Row, dim>     D_traction;
     Row                      D_row_lambda;
@@ -116,8 +121,13 @@ namespace stickslip
    *
    * with T(r) = Lambda + r d_t in stick and its unit vector in slip. Where
    * s = 0 in contact the Lambda row is the open one, so that it is never empty.
-   * The derivative (formulation 3.4) is filled if @p differentiate; it is the
-   * exact one for fixed statuses. Constraints that restrain the slip act on the
+   * With rounded corners (law_corners.h) S_c g and T are their smooth
+   * counterparts, and every point has a pressure and a friction force.
+   *
+   * The derivative (formulation 3.4) is filled if @p differentiate. It is the
+   * exact one for fixed statuses; but where T = Lambda holds at the point
+   * itself, that of the Lambda row leaves out (T - Lambda) Ds, which vanishes
+   * at the solution: Newton's method then sees the row divided by s. Constraints that restrain the slip act on the
    * kinematics before and on the response after (restrained_slip.h).
    */
   template <int dim>

@@ -46,6 +46,8 @@ namespace stickslip
     double stiffness = 1.; ///< k of the contact [stress/length]: unit of r_n
     double threshold = 1.; ///< s, or the least one that r_t follows [stress]
     double stiffness_over_threshold = 1.; ///< unit of r_t [1/length]
+    double default_r_n = 1.; ///< that the rule has by itself [stress/length]
+    double default_r_t = 1.; ///< likewise [1/length]
     double negligible_threshold     = 0.; ///< s up to here is roundoff [stress]
     double open_row = 1.; ///< of Lambda where a point is open [stress length]
     /// Tangential stiffness in the tangent as long as no point has a threshold

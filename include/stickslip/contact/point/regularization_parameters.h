@@ -45,6 +45,19 @@ namespace stickslip
 
 
 
+  /// Factors of the automatic scales.
+  struct DefaultFactors
+  {
+    double r_n = 1.;
+    double r_t = 1.;
+  };
+
+  /// What `automatic` stands for with @p rule.
+  DefaultFactors
+  default_factors(const ContactRule rule);
+
+
+
   /**
    * The six regularization parameters (doc/theory.md, section 3): factors of
    * the automatic scales or of the paper's bounds, or plain numbers with units.

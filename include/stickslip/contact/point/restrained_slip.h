@@ -43,7 +43,6 @@ namespace stickslip
   void
   restrain_Lambda(const ContactKinematics<dim> &kinematics,
                   const Multipliers<dim>       &multipliers,
-                  const ContactStatus          &status,
                   const Tensor<2, dim>         &projector,
                   const Tensor<1, dim - 1>     &restrained_Lambda,
                   const double                  r_t_law,
