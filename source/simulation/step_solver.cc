@@ -123,8 +123,8 @@ namespace stickslip
       treat_cycle(const bool stagnates) override
       {
         if (continuation.acts())
-          return continuation.advance() ? law_has_changed() :
-                                          CycleTreatment::none;
+          return continuation.advance() ? law_has_changed()
+                                        : CycleTreatment::none;
         if (stagnates && cycle_treatment.may_round_corners() &&
             increment_solver == IncrementSolver::linear_system &&
             continuation.begin())
@@ -180,9 +180,7 @@ namespace stickslip
         problem.distribute(increment);
         const ContactAssembler<dim> &contact = problem.contact();
         contact.linearized_friction().convert_increment(
-          contact.multipliers().owned_nodes(),
-          x.block(1),
-          increment.block(1));
+          contact.multipliers().owned_nodes(), x.block(1), increment.block(1));
       }
     };
   } // namespace

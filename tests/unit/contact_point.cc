@@ -204,6 +204,19 @@ namespace
                    force_imbalance(problem,
                                    problem.residual(problem.q, setting)));
       }
+    // rounded corners, from nearly sharp to wide
+    for (const double width : {0.05, 1., 20.})
+      {
+        Setting setting;
+        setting.threshold      = threshold;
+        setting.rounding       = {2. * width, width};
+        const auto         K   = problem.tangent(setting);
+        const unsigned int end = K.m();
+        checks.add("tangent: rounded corners",
+                   relative_difference(K,
+                                       differences(problem, setting),
+                                       {0, s, m, end}));
+      }
     // the multiplier rows by themselves, and without friction
     const Setting      frictionless{{}, ThresholdKind::none, false, false};
     const auto         K      = problem.tangent(frictionless);
@@ -556,6 +569,7 @@ main()
                        threshold + ", status " + status,
                      1e-7);
   checks.print("tangent: frictionless, live", 1e-7);
+  checks.print("tangent: rounded corners", 1e-7);
   checks.print("asymmetry of the FPM tangent", 1e-12);
   checks.print("asymmetry of the frictionless live tangent, facet normals",
                1e-12);

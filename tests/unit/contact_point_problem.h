@@ -124,6 +124,7 @@ namespace contact_test
     ThresholdKind threshold = ThresholdKind::augmented; // if live
     bool          friction  = true;
     bool          closed    = false; // if the status is frozen
+    LawRounding   rounding;
   };
 
 
@@ -315,7 +316,7 @@ namespace contact_test
                                           point.regularization)
                               : setting.closed;
       state.status.stick =
-        state.status.closed &&
+        (state.status.closed || setting.rounding.acts()) &&
         is_stick(tangential_vector<dim>(state.multipliers.Lambda,
                                         state.kinematics.tau),
                  state.kinematics.d_t,
@@ -328,6 +329,7 @@ namespace contact_test
                                                     : ThresholdKind::given;
       law.threshold.friction_coefficient = 0.4;
       law.threshold.given                = 0.9;
+      law.rounding                       = setting.rounding;
       evaluate_contact_law(law,
                            state.kinematics,
                            state.multipliers,

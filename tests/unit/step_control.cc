@@ -35,8 +35,7 @@ namespace
   {
     return name_of(attempt.algorithm) +
            (attempt.guess == Attempt::Guess::predicted ? ", predicted" : "") +
-           (attempt.scales == Attempt::Scales::automatic ? ", r reset"
-                                                                 : "") +
+           (attempt.scales == Attempt::Scales::automatic ? ", r reset" : "") +
            (attempt.pairing == Attempt::Pairing::hysteresis ? ", hysteresis"
                                                             : "");
   }

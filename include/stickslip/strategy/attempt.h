@@ -25,8 +25,8 @@ namespace stickslip
     /// The regularization parameters r of the contact points.
     enum class Scales
     {
-      as_adapted,       ///< with the factors of earlier cycle treatments
-      automatic ///< set back to what the rule has by itself
+      as_adapted, ///< with the factors of earlier cycle treatments
+      automatic   ///< set back to what the rule has by itself
     };
 
     /// How contact points find their master facets.

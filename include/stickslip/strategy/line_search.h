@@ -35,7 +35,7 @@ namespace stickslip
     value() const;
 
   private:
-    std::deque<double> last_merits;
+    std::deque<double>    last_merits;
     std::optional<double> prescribed_at_start; ///< of the first iterate
   };
 

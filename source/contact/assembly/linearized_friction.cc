@@ -26,12 +26,11 @@ namespace stickslip
 
   template <int dim>
   void
-  LinearizedFriction<dim>::add_point(
-    const types::global_dof_index first_dof,
-    const double                  friction_coefficient,
-    const ContactPoint<dim>      &point,
-    const Tensor<2, dim - 1>     &rotation,
-    const ContactEvaluation<dim> &state)
+  LinearizedFriction<dim>::add_point(const types::global_dof_index first_dof,
+                                     const double friction_coefficient,
+                                     const ContactPoint<dim>      &point,
+                                     const Tensor<2, dim - 1>     &rotation,
+                                     const ContactEvaluation<dim> &state)
   {
     const double force = point.geometry.weight * state.response.threshold;
     if (force <= 0.)

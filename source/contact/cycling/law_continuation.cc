@@ -55,21 +55,20 @@ namespace stickslip
       return false;
     has_begun       = true;
     double pressure = 0., Lambda = 1.;
-    for_each_point(contact,
-                   [&](const ContactPair<dim> &, const ContactPoint<dim> &p) {
-                     const auto &state = p.observed.values;
-                     pressure = std::max(pressure, std::abs(state.lambda_n));
-                     if (is_closed(p.observed.state))
-                       Lambda = std::max(
-                         Lambda,
-                         (state.Lambda + p.regularization.r_t_law * state.d_t)
-                           .norm());
-                   });
+    for_each_point(
+      contact, [&](const ContactPair<dim> &, const ContactPoint<dim> &p) {
+        const auto &state = p.observed.values;
+        pressure          = std::max(pressure, std::abs(state.lambda_n));
+        if (is_closed(p.observed.state))
+          Lambda = std::max(
+            Lambda,
+            (state.Lambda + p.regularization.r_t_law * state.d_t).norm());
+      });
     const MPI_Comm communicator = contact.get_communicator();
-    contact.rounding = {Utilities::MPI::max(pressure, communicator),
-                        Utilities::MPI::max(Lambda, communicator)};
-    first_width      = contact.rounding.pressure;
-    law_is_new       = true;
+    contact.rounding            = {Utilities::MPI::max(pressure, communicator),
+                                   Utilities::MPI::max(Lambda, communicator)};
+    first_width                 = contact.rounding.pressure;
+    law_is_new                  = true;
     return acts();
   }
 

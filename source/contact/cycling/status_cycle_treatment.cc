@@ -167,8 +167,8 @@ namespace stickslip
     const double          present   = is_normal ? r.r_n_status : r.r_t_status;
     const double          natural =
       is_normal ? point.scales.default_r_n : point.scales.default_r_t;
-    const double better = is_normal ? admissible_r_n(a, b, natural)
-                                    : admissible_r_t(a, b, natural);
+    const double better =
+      is_normal ? admissible_r_n(a, b, natural) : admissible_r_t(a, b, natural);
     // farther from the default another r only makes another cycle
     if (better == 0. || distance(better, natural) + std::log(no_change) >
                           distance(present, natural))
@@ -313,12 +313,13 @@ namespace stickslip
         for (const auto &point : pair->points)
           {
             const Regularization &r = point.regularization;
-            largest              = std::max(largest,
-                               distance(point.scales.default_r_n, r.r_n_status));
+            largest =
+              std::max(largest,
+                       distance(point.scales.default_r_n, r.r_n_status));
             if (pair->parameters.has_friction())
-              largest = std::max(largest,
-                                 distance(point.scales.default_r_t,
-                                          r.r_t_status));
+              largest =
+                std::max(largest,
+                         distance(point.scales.default_r_t, r.r_t_status));
           }
     return Utilities::MPI::max(largest, contact.get_communicator()) >
            std::log(clear_change);
@@ -335,8 +336,10 @@ namespace stickslip
         for (auto &point : pair->points)
           {
             const Regularization &r = point.regularization;
-            point.treatment.r_n_factor *= point.scales.default_r_n / r.r_n_status;
-            point.treatment.r_t_factor *= point.scales.default_r_t / r.r_t_status;
+            point.treatment.r_n_factor *=
+              point.scales.default_r_n / r.r_n_status;
+            point.treatment.r_t_factor *=
+              point.scales.default_r_t / r.r_t_status;
           }
   }
 

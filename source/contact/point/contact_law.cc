@@ -172,11 +172,8 @@ namespace stickslip
     if (!differentiate)
       return;
 
-    response.D_threshold = threshold_derivative<dim>(point_law.threshold,
-                                                     s,
-                                                     pressure.slope,
-                                                     r.r_n_augmentation,
-                                                     k.D_d_n);
+    response.D_threshold = threshold_derivative<dim>(
+      point_law.threshold, s, pressure.slope, r.r_n_augmentation, k.D_d_n);
     for (unsigned int c = 0; c < G::n; ++c)
       {
         const double   D_s = response.D_threshold[c];
@@ -194,7 +191,8 @@ namespace stickslip
           response.D_traction[i][c] += force.T[i] * D_s + s * D_T[i];
         if (s == 0.)
           continue;
-        const Tensor<1, dim> D_law = law.derivative * (D_Lambda + r.r_t_law * D_d_t);
+        const Tensor<1, dim> D_law =
+          law.derivative * (D_Lambda + r.r_t_law * D_d_t);
         const Tensor<1, dim> D_mismatch = D_law - D_Lambda;
         for (unsigned int b = 0; b < dim - 1; ++b)
           {

@@ -155,8 +155,8 @@ namespace stickslip
     const DefaultFactors automatic = scale == RegularizationScale::automatic
                                        ? default_factors(rule)
                                        : DefaultFactors();
-    const double         n = number_or(r_n, "automatic", automatic.r_n);
-    const double         t = number_or(r_t, "automatic", automatic.r_t);
+    const double         n         = number_or(r_n, "automatic", automatic.r_n);
+    const double         t         = number_or(r_t, "automatic", automatic.r_t);
     return {number_or(r_n_status, "r_n", n),
             number_or(r_n_augmentation, "r_n", n),
             number_or(r_n_law, "r_n", n),

@@ -38,11 +38,11 @@ namespace stickslip
     /// Adds the only point of the multiplier node whose first unknown is
     /// @p first_dof, with its weight. Points without friction are left out.
     void
-    add_point(const types::global_dof_index  first_dof,
-              const double                   friction_coefficient,
-              const ContactPoint<dim>       &point,
-              const Tensor<2, dim - 1>      &rotation,
-              const ContactEvaluation<dim>  &state);
+    add_point(const types::global_dof_index first_dof,
+              const double                  friction_coefficient,
+              const ContactPoint<dim>      &point,
+              const Tensor<2, dim - 1>     &rotation,
+              const ContactEvaluation<dim> &state);
 
     /// All points have been added. Collective.
     void

@@ -17,8 +17,8 @@ namespace stickslip
   /// The section "Algorithm/Cycling".
   struct CyclingParameters
   {
-    bool adapt_scales = true;
-    bool fix_statuses = true;
+    bool adapt_scales  = true;
+    bool fix_statuses  = true;
     bool round_corners = true;
 
     void
@@ -60,8 +60,8 @@ namespace stickslip
    *
    * 1. closed/open, stick/slip, slip to and fro: the nearest r to the automatic
    *    one for which the last two states have the same status (paper, eqs. 29
-   *    and 32). Only with segments and nodal quadrature, where no answer depends
-   *    on r.
+   *    and 32). Only with segments and nodal quadrature, where no answer
+   * depends on r.
    * 2. If no r does, or the point cycles again: its status is fixed (closed,
    *    stick; the next time open, slip) until the residual has converged; then
    *    release() frees all statuses, so that what is accepted satisfies the

@@ -78,7 +78,7 @@ namespace stickslip
     Tensor<1, dim>     traction; ///< t: minus the traction on the slave
     double             row_lambda = 0.;
     Tensor<1, dim - 1> row_Lambda;
-    double             threshold = 0.; ///< s used
+    double             threshold = 0.;     ///< s used
     Tensor<1, dim>     friction_direction; ///< T(r_t^A): the force is s T
 
     std::array<Row, dim>     D_traction;
@@ -127,8 +127,9 @@ namespace stickslip
    * The derivative (formulation 3.4) is filled if @p differentiate. It is the
    * exact one for fixed statuses; but where T = Lambda holds at the point
    * itself, that of the Lambda row leaves out (T - Lambda) Ds, which vanishes
-   * at the solution: Newton's method then sees the row divided by s. Constraints that restrain the slip act on the
-   * kinematics before and on the response after (restrained_slip.h).
+   * at the solution: Newton's method then sees the row divided by s.
+   * Constraints that restrain the slip act on the kinematics before and on the
+   * response after (restrained_slip.h).
    */
   template <int dim>
   void
