@@ -161,7 +161,7 @@ namespace stickslip
             return false;
           // down to roundoff, which the strains set
           const bool is_exact =
-            merit <= 1e-14 * yield_stress + 1e-15 * shear_modulus;
+            merit <= 1e-13 * yield_stress + 1e-14 * shear_modulus;
           const bool has_stagnated =
             merit >= last_merit &&
             merit <= 1e-11 * yield_stress + 1e-13 * shear_modulus;
