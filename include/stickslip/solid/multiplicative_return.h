@@ -22,9 +22,10 @@ namespace stickslip
    * Vladimirov, Pietryga and Reese, Int. J. Numer. Meth. Engng. 75, 2008, with
    * neo-Hookean energies). X is a strain of the intermediate configuration and
    * not the integral of a corotational rate, so that it does not oscillate in
-   * simple shear. Other than an additive split of the logarithmic strain
-   * (Miehe, Apel and Lambrecht, CMAME 191, 2002) it depends on no reference
-   * configuration, and without kinematic hardening it is HenckyPlasticity.
+   * simple shear. Without back stresses the law is that of isotropic hardening
+   * on all paths. (An additive split of the logarithmic strain (Miehe, Apel and
+   * Lambrecht, CMAME 191, 2002), which is simpler, agrees with it on coaxial
+   * paths only.)
    *
    * All tensors are in the intermediate configuration of the beginning of the
    * step. With the flow A = dp 3/2 (dev T - X) / R, T = K tr(e) I + 2 mu dev e
