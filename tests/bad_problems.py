@@ -239,6 +239,24 @@ CASES = {
     "a reference strain of zero": (
         "block.prm", plastic("Hardening = Voce", "Reference plastic strain = 0"), WRONG_INPUT, ["Reference plastic strain", "greater than 0"]),
     "a negative kinematic modulus": ("block.prm", plastic("Kinematic modulus = -1"), WRONG_INPUT, ["Kinematic modulus", "at least 0"]),
+    "a back stress without recovery": (
+        "block.prm", plastic("Back stresses = 10 : 100, 5 : 0"), WRONG_INPUT, ["Materials/matter/Back stresses", "5 : 0", "'Kinematic modulus'"]),
+    "a back stress without its recovery": ("block.prm", plastic("Back stresses = 10"), WRONG_INPUT, ["Back stresses", "10"]),
+    "too many back stresses": (
+        "block.prm", material("Hencky plasticity", "set Back stresses = " + ", ".join(9 * ["1 : 1"])), WRONG_INPUT, ["Back stresses", "at most 8"]),
+    "back stresses of a law without": (
+        "block.prm", material("Simo-Miehe plasticity", "set Back stresses = 1 : 1"), WRONG_INPUT, ["Back stresses", "Materials/matter"]),
+    "a curve that kinematic hardening leaves": (
+        "block.prm", plastic("Hardening = tabulated", "Hardening table = 0 : 10, 0.1 : 11", "Hardening table ordinate = uniaxial stress", "Kinematic modulus = 20"),
+        WRONG_INPUT, ["Materials/matter/Hardening table", "0.1 : 11 follows 0 : 10", "kinematic hardening alone"]),
+    "a hardening table of no file": (
+        "block.prm", plastic("Hardening = tabulated", "Hardening table file = nowhere.csv"), WRONG_INPUT, ["Materials/matter/Hardening table file", "nowhere.csv", "opened"]),
+    "a file of text as hardening table": (
+        "block.prm", plastic("Hardening = tabulated", "Hardening table file = %s/triangle.msh" % HERE),
+        WRONG_INPUT, ["triangle.msh:", "at least 2 numbers", "Materials/matter/Hardening table file"]),
+    "a hardening table and a file": (
+        "block.prm", plastic("Hardening = tabulated", "Hardening table = 0 : 10", "Hardening table file = nowhere.csv"),
+        WRONG_INPUT, ["Materials/matter", "not both"]),
     "a tangent modulus above Young's": (
         "block.prm", plastic("Hardening = linear", "Hardening modulus = 5", "Hardening modulus is = tangent modulus"),
         WRONG_INPUT, ["Hardening modulus", "less than Young's modulus"]),

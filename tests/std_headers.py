@@ -16,8 +16,8 @@ NAMES_OF_HEADERS = {
     "cctype": "isalnum isalpha isdigit isspace tolower toupper",
     "charconv": "from_chars to_chars",
     "chrono": "chrono",
-    "cmath": "acos asin atan atan2 cbrt ceil copysign cos cosh exp expm1 fabs floor fma fmod frexp hypot isfinite isinf isnan ldexp log"
-             " log10 log1p log2 lround nearbyint pow remainder round sin sinh sqrt tan tanh trunc",
+    "cmath": "acos asin asinh atan atan2 cbrt ceil copysign cos cosh exp expm1 fabs floor fma fmod frexp hypot isfinite isinf isnan ldexp log"
+             " log10 log1p log2 lround nan nearbyint pow remainder round sin sinh sqrt tan tanh trunc",
     "cmath cstdlib": "abs",
     "csignal": "sig_atomic_t signal",
     "cstdint": "int16_t int32_t int64_t int8_t uint16_t uint32_t uint64_t uint8_t",

@@ -1,22 +1,20 @@
 #include <stickslip/base/amplitude.h>
 #include <stickslip/base/choice.h>
 #include <stickslip/base/nearest_name.h>
+#include <stickslip/base/number_table.h>
 #include <stickslip/base/user_error.h>
 
 #include <deal.II/base/patterns.h>
-#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
 namespace stickslip
 {
   namespace
   {
-    using Table = std::vector<std::pair<double, double>>;
+    using Table = NumberTable;
 
 
 
@@ -36,70 +34,6 @@ namespace stickslip
     path_of(const std::string &name)
     {
       return "Amplitudes/" + name;
-    }
-
-
-
-    /// Numbers of a line that are separated by commas, semicolons or blanks;
-    /// empty if one of them is no number.
-    std::vector<double>
-    numbers_in(std::string line)
-    {
-      for (char &letter : line)
-        if (letter == ',' || letter == ';' || letter == '\t' || letter == '\r')
-          letter = ' ';
-      std::vector<double> numbers;
-      for (const std::string &word :
-           Utilities::split_string_list(Utilities::trim(line), ' '))
-        if (!word.empty())
-          try
-            {
-              numbers.push_back(Utilities::string_to_double(word));
-            }
-          catch (const ExceptionBase &)
-            {
-              return {};
-            }
-      return numbers;
-    }
-
-
-
-    /// A first line without numbers has the columns' names; lines that are
-    /// empty or begin with # are left out.
-    Table
-    read_table(const std::string               &file_name,
-               const std::vector<unsigned int> &columns,
-               const std::string               &path)
-    {
-      std::ifstream   input(file_name);
-      std::error_code error;
-      if (!input || std::filesystem::is_directory(file_name, error))
-        throw UserError(path + ": the file '" + file_name +
-                        "' cannot be opened for reading.");
-      Table        table;
-      std::string  line;
-      unsigned int n_lines  = 0;
-      bool         is_first = true;
-      while (std::getline(input, line))
-        {
-          ++n_lines;
-          line = Utilities::trim(line.substr(0, line.find('#')));
-          if (line.empty() || line == "\r")
-            continue;
-          const std::vector<double> numbers = numbers_in(line);
-          const unsigned int        needed  = std::max(columns[0], columns[1]);
-          if (numbers.size() < needed && !(is_first && numbers.empty()))
-            throw UserError(file_name + ":" + std::to_string(n_lines) +
-                            ": expected a line with at least " +
-                            std::to_string(needed) + " numbers (" + path +
-                            "), found '" + line.substr(0, 60) + "'.");
-          if (!numbers.empty())
-            table.emplace_back(numbers[columns[0] - 1],
-                               numbers[columns[1] - 1]);
-          is_first = false;
-        }
-      return table;
     }
 
 
@@ -229,17 +163,11 @@ namespace stickslip
       {
         Table table = given.table;
         if (!given.file.empty())
-          {
-            const std::string file =
-              (std::filesystem::path(directory) / given.file).string();
-            on_first_rank(
-              [&, &name = name, &given = given] {
-                table =
-                  read_table(file, given.columns, path_of(name) + "/File");
-              },
-              communicator);
-            table = Utilities::MPI::broadcast(communicator, table);
-          }
+          table = read_number_table(given.file,
+                                    directory,
+                                    given.columns,
+                                    path_of(name) + "/File",
+                                    communicator);
         check_table(table, given.repeat, path_of(name));
         amplitudes[name] =
           std::make_shared<Amplitude>(table, given.interpolation, given.repeat);

@@ -128,7 +128,9 @@ namespace stickslip
 
 
   void
-  CaseParameters::read(const ParameterFile &given, ParameterHandler &prm)
+  CaseParameters::read(const ParameterFile &given,
+                       ParameterHandler    &prm,
+                       const MPI_Comm       communicator)
   {
     const ParameterFile file = given.with_constants_inserted();
     file.declare_names("Bodies", bodies);
@@ -153,6 +155,10 @@ namespace stickslip
     mesh.is_axisymmetric   = axisymmetric;
     mesh.bytes_per_cell    = matrix_bytes_per_cell(dimension, degree);
     mesh.bytes_per_simplex = matrix_bytes_per_simplex(dimension, degree);
+    for (auto &[name, material] : materials)
+      material.read_files("Materials/" + name,
+                          mesh.input_directory,
+                          communicator);
     check();
     adaptation.global_refinements = mesh.global_refinements;
     load_stepping.request(ends_of_intervals(boundary_conditions));

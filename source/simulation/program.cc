@@ -111,7 +111,7 @@ namespace stickslip
         file.override_with(assignment);
       if (!command_line.output_directory.empty())
         file.override_with("Output/Directory=" + command_line.output_directory);
-      parameters.read(file, prm);
+      parameters.read(file, prm, MPI_COMM_WORLD);
     }
 
 

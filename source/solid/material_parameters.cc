@@ -67,6 +67,17 @@ namespace stickslip
 
 
   void
+  MaterialParameters::read_files(const std::string &path,
+                                 const std::string &directory,
+                                 const MPI_Comm     communicator)
+  {
+    Assert(law_object, ExcMessage("choose_law() goes first."));
+    law_object->read_files(path, directory, communicator);
+  }
+
+
+
+  void
   MaterialParameters::check(const std::string &path,
                             const unsigned int dim,
                             const unsigned int degree) const

@@ -58,6 +58,16 @@ namespace stickslip
 
 
   void
+  PlaneStress::read_files(const std::string &path,
+                          const std::string &directory,
+                          const MPI_Comm     communicator)
+  {
+    law->read_files(path, directory, communicator);
+  }
+
+
+
+  void
   PlaneStress::check(const std::string &path) const
   {
     law->check(path);

@@ -1,5 +1,6 @@
 #include <stickslip/solid/principal_axes.h>
 
+#include <stickslip/solid/symmetric_maps.h>
 #include <stickslip/solid/tangent_terms.h>
 
 #include <cmath>
@@ -63,6 +64,77 @@ namespace stickslip
         for (unsigned int a = 0; a < 3; ++a)
           result[i][j] += principal_values[a] * axes[a][i] * axes[a][j];
     return result;
+  }
+
+
+
+  SymmetricTensor<4, 3>
+  PrincipalAxes::derivative(const std::array<std::array<double, 3>, 3> &f) const
+  {
+    SymmetricTensor<4, 3> result;
+    for (unsigned int a = 0; a < 3; ++a)
+      for (unsigned int b = a; b < 3; ++b)
+        {
+          const SymmetricTensor<2, 3> n =
+            symmetrize(outer_product(axes[a], axes[b]));
+          SymmetricMaps::add_outer_product(result,
+                                           (a == b ? 1. : 2.) * f[a][b],
+                                           n,
+                                           n);
+        }
+    return result;
+  }
+
+
+
+  SymmetricTensor<2, 3>
+  PrincipalAxes::logarithmic_strain() const
+  {
+    return tensor(logarithmic_strains());
+  }
+
+
+
+  SymmetricTensor<4, 3>
+  PrincipalAxes::logarithmic_strain_derivative() const
+  {
+    std::array<std::array<double, 3>, 3> f;
+    for (unsigned int a = 0; a < 3; ++a)
+      for (unsigned int b = 0; b < 3; ++b)
+        f[a][b] = 0.5 * divided_log(a, b);
+    return derivative(f);
+  }
+
+
+
+  SymmetricTensor<2, 3>
+  PrincipalAxes::exponential(const double factor) const
+  {
+    return tensor({{std::exp(factor * values[0]),
+                    std::exp(factor * values[1]),
+                    std::exp(factor * values[2])}});
+  }
+
+
+
+  SymmetricTensor<4, 3>
+  PrincipalAxes::exponential_derivative(const double factor) const
+  {
+    std::array<std::array<double, 3>, 3> f;
+    for (unsigned int a = 0; a < 3; ++a)
+      for (unsigned int b = 0; b < 3; ++b)
+        f[a][b] =
+          factor * divided_exponential(factor * values[a], factor * values[b]);
+    return derivative(f);
+  }
+
+
+
+  double
+  divided_exponential(const double a, const double b)
+  {
+    const double d = a - b;
+    return std::exp(b) * (d == 0. ? 1. : std::expm1(d) / d);
   }
 
 

@@ -16,16 +16,6 @@ namespace stickslip
   {
     using PrincipalMatrix = std::array<std::array<double, 3>, 3>;
 
-    /// (exp(2 a) - exp(2 b)) / (a - b), or 2 exp(2 b) for equal values
-    double
-    divided_exp(const double a, const double b)
-    {
-      const double d = 2. * (a - b);
-      return 2. * std::exp(2. * b) * (d == 0. ? 1. : std::expm1(d) / d);
-    }
-
-
-
     /// Deviatoric stress of a deviatoric logarithmic elastic strain e,
     /// s = mu dev(exp(2 e)), its derivative and its von Mises norm.
     struct PrincipalStress
@@ -81,7 +71,6 @@ namespace stickslip
       RadialReturn start;
       if (!radial_return(std::sqrt(6.) * mu * e_trial.norm(),
                          mu,
-                         0.,
                          p_old,
                          hardening,
                          elastic,
@@ -167,7 +156,8 @@ namespace stickslip
           for (unsigned int b = 0; b < 3; ++b)
             {
               moduli[a][b] = elastic.bulk_modulus() * J * J + ds[a][b] - mean;
-              const double slope = mu * divided_exp(flow.e[a], flow.e[b]);
+              const double slope =
+                2. * mu * divided_exponential(2. * flow.e[a], 2. * flow.e[b]);
               shear_factors[a][b] =
                 b < a ? shear_factors[b][a]
                       : 0.5 * slope / (1. + 1.5 * flow.dp / stress.q * slope) *
@@ -184,6 +174,16 @@ namespace stickslip
   {
     constants.add_parameters(prm);
     hardening.add_parameters(prm);
+  }
+
+
+
+  void
+  SimoMiehe::read_files(const std::string &path,
+                        const std::string &directory,
+                        const MPI_Comm     communicator)
+  {
+    hardening.read_table_file(path, directory, communicator);
   }
 
 

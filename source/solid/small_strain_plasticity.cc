@@ -1,29 +1,13 @@
 #include <stickslip/solid/small_strain_plasticity.h>
 
-#include <stickslip/base/user_error.h>
-
 #include <stickslip/solid/history_tensor.h>
 #include <stickslip/solid/radial_return.h>
 #include <stickslip/solid/tangent_terms.h>
-
-#include <cmath>
-#include <sstream>
 
 namespace stickslip
 {
   namespace
   {
-    const Choices<KinematicModulusType> &
-    all_kinematic_modulus_types()
-    {
-      static const Choices<KinematicModulusType> choices = {
-        {"slope", KinematicModulusType::slope},
-        {"Prager constant", KinematicModulusType::prager_constant}};
-      return choices;
-    }
-
-
-
     const Choices<StrainMeasure> &
     all_strain_measures()
     {
@@ -41,18 +25,7 @@ namespace stickslip
   {
     constants.add_parameters(prm);
     hardening.add_parameters(prm);
-    prm.add_parameter("Kinematic modulus",
-                      kinematic_modulus,
-                      "Of Prager's linear kinematic hardening, force per area. "
-                      "'Kinematic modulus is' says which slope it is.",
-                      Patterns::Double());
-    add_choice(prm,
-               "Kinematic modulus is",
-               kinematic_modulus_type,
-               all_kinematic_modulus_types(),
-               "slope: of the uniaxial back stress over the plastic "
-               "strain. Prager constant: C of the back stress tensor "
-               "X = C e_p, which has the uniaxial slope 3/2 C.");
+    kinematic.add_parameters(prm);
     add_choice(prm,
                "Strain measure",
                strain_measure,
@@ -66,27 +39,21 @@ namespace stickslip
 
 
   void
-  SmallStrainPlasticity::check(const std::string &path) const
+  SmallStrainPlasticity::read_files(const std::string &path,
+                                    const std::string &directory,
+                                    const MPI_Comm     communicator)
   {
-    constants.check(path);
-    if (!(kinematic_modulus >= 0.))
-      {
-        std::ostringstream text;
-        text << path << "/Kinematic modulus is " << kinematic_modulus
-             << ", but has to be at least 0.";
-        throw UserError(text.str());
-      }
-    hardening.check(path, constants, kinematic_slope());
+    hardening.read_table_file(path, directory, communicator);
   }
 
 
 
-  double
-  SmallStrainPlasticity::kinematic_slope() const
+  void
+  SmallStrainPlasticity::check(const std::string &path) const
   {
-    return kinematic_modulus_type == KinematicModulusType::slope
-             ? kinematic_modulus
-             : 1.5 * kinematic_modulus;
+    constants.check(path);
+    kinematic.check(path);
+    hardening.check(path, constants, kinematic);
   }
 
 
@@ -96,6 +63,7 @@ namespace stickslip
   {
     std::vector<std::string> names = {equivalent_plastic_strain_name};
     append_tensor_names("plastic_strain", names);
+    kinematic.append_history_names(names);
     return names;
   }
 
@@ -114,31 +82,26 @@ namespace stickslip
 
     const double                K       = constants.bulk_modulus();
     const double                mu      = constants.shear_modulus();
-    const double                H_kin   = kinematic_slope();
     const SymmetricTensor<2, 3> eps     = strain(F);
     const SymmetricTensor<2, 3> plastic = read_tensor(old_history, 1);
 
-    // Trial stress less the back stress X = 2/3 H_kin e_p.
-    const SymmetricTensor<2, 3> relative =
-      2. * mu * (deviator(eps) - plastic) - (2. / 3. * H_kin) * plastic;
-    const double norm = relative.norm();
-    RadialReturn flow;
-    if (!radial_return(std::sqrt(1.5) * norm,
-                       mu,
-                       H_kin,
-                       old_history[0],
-                       hardening,
-                       constants,
-                       flow))
+    KinematicHardening::BackStrains back_strains;
+    back_strains[0] = plastic;
+    kinematic.read_back_strains(old_history, 7, back_strains);
+    MixedReturn flow;
+    if (!mixed_return(2. * mu * (deviator(eps) - plastic),
+                      old_history[0],
+                      hardening,
+                      kinematic,
+                      constants,
+                      back_strains,
+                      flow))
       return false;
 
-    SymmetricTensor<2, 3> direction;
-    if (flow.is_plastic)
-      direction = relative / norm;
-    const SymmetricTensor<2, 3> new_plastic =
-      plastic + (std::sqrt(1.5) * flow.dp) * direction;
-    new_history[0] = old_history[0] + flow.dp;
+    const SymmetricTensor<2, 3> new_plastic = plastic + flow.flow;
+    new_history[0]                          = old_history[0] + flow.dp;
     write_tensor(new_plastic, new_history, 1);
+    kinematic.write_back_stresses(back_strains, new_history, 7);
 
     const Tensor<2, 3> S = K * trace(eps) * unit_symmetric_tensor<3, double>() +
                            2. * mu * (deviator(eps) - new_plastic);
@@ -146,21 +109,21 @@ namespace stickslip
 
     if (dP_dF != nullptr)
       {
-        // dS/dE = l I x I + m (sym) - reduction N x N, pulled to P(F) by
+        // dS/dE = l I x I + m (sym) - V x N, pulled to P(F) by
         // E = sym(F^T dF)
         const double       m  = 2. * mu * flow.scale;
         const double       l  = K - m / 3.;
-        const Tensor<2, 3> N  = direction;
         const Tensor<2, 3> I  = unit_symmetric_tensor<3, double>();
         const Tensor<2, 3> R  = is_small ? I : F;
-        const Tensor<2, 3> RN = R * N;
+        const Tensor<2, 3> RN = R * Tensor<2, 3>(flow.N);
+        const Tensor<2, 3> RV = R * Tensor<2, 3>(flow.V);
         Tensor<4, 3>      &A  = *dP_dF;
         A                     = 0.;
         TangentTerms::add_product(A, l, R, R);
         TangentTerms::add_crossed_product(A, 0.5 * m, R, R);
         TangentTerms::add_spatial(A, 0.5 * m * (R * transpose(R)));
         if (flow.is_plastic)
-          TangentTerms::add_product(A, -flow.reduction, RN, RN);
+          TangentTerms::add_product(A, -1., RV, RN);
         if (!is_small)
           TangentTerms::add_material(A, S);
       }

@@ -20,7 +20,7 @@ namespace
     explicit TextParameters(const std::string &prm_text)
     {
       ParameterHandler prm;
-      read(ParameterFile::from_string(prm_text, "test"), prm);
+      read(ParameterFile::from_string(prm_text, "test"), prm, MPI_COMM_WORLD);
     }
   };
 

@@ -81,7 +81,7 @@ namespace
         const auto simo          = plastic_law<SimoMiehe>(type);
         const auto hencky        = plastic_law<HenckyPlasticity>(type);
         const auto small         = plastic_law<SmallStrainPlasticity>(type);
-        small->kinematic_modulus = 0.1;
+        small->kinematic.modulus = 0.1;
         const auto rotating = std::make_shared<SmallStrainPlasticity>(*small);
         rotating->strain_measure = StrainMeasure::green_lagrange;
         const std::vector<
@@ -274,11 +274,11 @@ namespace
     law.hardening.yield_stress   = 335.;
     law.hardening.type           = HardeningType::linear;
     law.hardening.modulus        = 2726.;
-    law.kinematic_modulus        = 1500.;
+    law.kinematic.modulus        = 1500.;
     print("cycle, slopes as given, within 1e-8",
           cycle_error(law, cycle_stresses(E, 335., 2726., 1500.)) < 1e-8);
     law.hardening.modulus_type = HardeningModulusType::tangent_modulus;
-    law.kinematic_modulus_type = KinematicModulusType::prager_constant;
+    law.kinematic.modulus_type = KinematicModulusType::prager_constant;
     const double kinematic     = 1.5 * 1500.;
     const double isotropic     = E * 2726. / (E - 2726.) - kinematic;
     print("cycle, tangent modulus and Prager constant, within 1e-8",
@@ -503,7 +503,7 @@ main()
   test_rotation("Hencky", plastic_law<HenckyPlasticity>("Voce"));
   const auto rotating         = plastic_law<SmallStrainPlasticity>("power");
   rotating->strain_measure    = StrainMeasure::green_lagrange;
-  rotating->kinematic_modulus = 0.1;
+  rotating->kinematic.modulus = 0.1;
   test_rotation("Green-Lagrange", rotating);
   test_plastic_flow_conserves_volume<SimoMiehe>("Simo-Miehe");
   test_plastic_flow_conserves_volume<HenckyPlasticity>("Hencky");

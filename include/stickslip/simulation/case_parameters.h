@@ -74,10 +74,13 @@ namespace stickslip
     // ParameterHandler keeps references to the members.
     CaseParameters(const CaseParameters &) = delete;
 
-    /// Reads and checks a case. @p prm, empty before, then has all its
-    /// parameters. Throws UserError, the same on all ranks.
+    /// Reads and checks a case, with the files of its materials. @p prm, empty
+    /// before, then has all its parameters. Collective. Throws UserError, the
+    /// same on all ranks.
     void
-    read(const ParameterFile &file, ParameterHandler &prm);
+    read(const ParameterFile &file,
+         ParameterHandler    &prm,
+         const MPI_Comm       communicator);
 
     /// Everything that can be set, with placeholder names such as `<body>`.
     static void

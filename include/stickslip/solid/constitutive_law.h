@@ -4,6 +4,7 @@
 #include <stickslip/base/types.h>
 
 #include <deal.II/base/array_view.h>
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
@@ -35,6 +36,17 @@ namespace stickslip
     /// Declares the law's own parameters in the current subsection.
     virtual void
     add_parameters(ParameterHandler &prm) = 0;
+
+    /**
+     * Reads the files that the parameters name, whose names are relative to
+     * @p directory: none by default. Between reading the parameters and
+     * check(). Collective. Throws UserError, on all ranks.
+     */
+    virtual void
+    read_files(const std::string & /*path*/,
+               const std::string & /*directory*/,
+               const MPI_Comm /*communicator*/)
+    {}
 
     /// Throws UserError for values that no pattern can catch; @p path is the
     /// law's section, e.g. "Materials/steel".

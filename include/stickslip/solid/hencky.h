@@ -4,6 +4,7 @@
 #include <stickslip/solid/constitutive_law.h>
 #include <stickslip/solid/elastic_constants.h>
 #include <stickslip/solid/isotropic_hardening.h>
+#include <stickslip/solid/kinematic_hardening.h>
 
 #include <string>
 #include <vector>
@@ -46,20 +47,29 @@ namespace stickslip
 
   /**
    * Finite elastoplasticity F = F^e F^p with Hencky's elasticity of F^e, von
-   * Mises yield condition on the Kirchhoff stress, isotropic hardening. The
-   * flow rule is integrated with the exponential map, so that the return
-   * mapping is the one of small strains in logarithmic strains, plastic flow
-   * conserves the volume exactly, and proportional loading is integrated
-   * exactly (Simo, CMAME 99, 1992).
+   * Mises yield condition on the Kirchhoff stress, isotropic and kinematic
+   * hardening, separately or mixed. The flow rule is integrated with the
+   * exponential map, so that plastic flow conserves the volume exactly, and
+   * proportional loading is integrated exactly. With isotropic hardening the
+   * return mapping is the one of small strains in logarithmic strains (Simo,
+   * CMAME 99, 1992); with back stresses, which need not have the principal
+   * axes of the strains, it is multiplicative_return().
    *
-   * History: the equivalent plastic strain, and (F^pT F^p)^-1, which lives in
-   * the undeformed body and so does not feel rotations.
+   * History: the equivalent plastic strain, (F^pT F^p)^-1, and the back
+   * stresses with recovery, in the intermediate configuration that
+   * (F^pT F^p)^(1/2) leads to. All of them belong to the undeformed body and do
+   * not feel rotations.
    */
   class HenckyPlasticity : public Hencky
   {
   public:
     void
     add_parameters(ParameterHandler &prm) override;
+
+    void
+    read_files(const std::string &path,
+               const std::string &directory,
+               const MPI_Comm     communicator) override;
 
     void
     check(const std::string &path) const override;
@@ -79,6 +89,16 @@ namespace stickslip
              Tensor<4, 3>                  *dP_dF) const override;
 
     IsotropicHardening hardening;
+    KinematicHardening kinematic;
+
+  private:
+    /// With kinematic hardening.
+    bool
+    evaluate_mixed(const Tensor<2, 3>            &F,
+                   const ArrayView<const double> &old_history,
+                   const ArrayView<double>       &new_history,
+                   Tensor<2, 3>                  &P,
+                   Tensor<4, 3>                  *dP_dF) const;
   };
 } // namespace stickslip
 

@@ -2,13 +2,15 @@
 #define stickslip_solid_isotropic_hardening_h
 
 #include <stickslip/base/choice.h>
+#include <stickslip/base/number_table.h>
 
 #include <stickslip/solid/elastic_constants.h>
+#include <stickslip/solid/kinematic_hardening.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace stickslip
@@ -39,6 +41,13 @@ namespace stickslip
     total_strain
   };
 
+  /// The stress that the points of a hardening table have.
+  enum class TableOrdinate
+  {
+    yield_stress,   ///< R, the radius of the yield surface
+    uniaxial_stress ///< the curve, R and the kinematic part together
+  };
+
   /**
    * The yield stress R(p) as a function of the equivalent plastic strain p,
    * both as in a uniaxial test (in the law's own stress and strain measures):
@@ -46,7 +55,8 @@ namespace stickslip
    *   none       R = sy
    *   linear     R = sy + H p
    *   tabulated  linear between the points of a table, and on with its last
-   *              slope
+   *              slope; less the uniaxial back stress at the points if they
+   *              have uniaxial stresses
    *   power      R = sy (1 + p / p0)^n
    *   Voce       R = sy + (s_inf - sy) (1 - exp(-p / p0)) + H p
    *
@@ -62,8 +72,11 @@ namespace stickslip
     double               exponent         = 0.2;
     double               saturation       = 1.;
     TableAbscissa        table_abscissa   = TableAbscissa::plastic_strain;
+    TableOrdinate        table_ordinate   = TableOrdinate::yield_stress;
 
-    std::vector<std::pair<double, double>> table;
+    NumberTable               table; ///< (strain, stress)
+    std::string               table_file;
+    std::vector<unsigned int> table_columns = {1, 2};
 
     /// R and dR/dp
     struct YieldStress
@@ -75,36 +88,56 @@ namespace stickslip
     void
     add_parameters(dealii::ParameterHandler &prm);
 
-    /// Throws UserError for values without meaning; @p kinematic_slope as in
-    /// at().
+    /// Reads the table's file, if it has one; the name is relative to
+    /// @p directory. Collective. Throws UserError, on all ranks.
     void
-    check(const std::string      &path,
-          const ElasticConstants &elastic,
-          const double            kinematic_slope = 0.) const;
+    read_table_file(const std::string &path,
+                    const std::string &directory,
+                    const MPI_Comm     communicator);
+
+    /// Throws UserError for values without meaning; @p kinematic as in at().
+    void
+    check(const std::string        &path,
+          const ElasticConstants   &elastic,
+          const KinematicHardening &kinematic = KinematicHardening()) const;
 
     /**
      * The yield stress at p >= 0. Young's modulus is needed where the
      * parameters count elastic strains in (a tangent modulus, a table over
-     * the total strain), and @p kinematic_slope, the uniaxial modulus of the
-     * kinematic hardening beside, where a tangent modulus contains it.
+     * the total strain), and the kinematic hardening beside where they contain
+     * it (a tangent modulus, a table of uniaxial stresses).
      */
     YieldStress
-    at(const double            p,
-       const ElasticConstants &elastic,
-       const double            kinematic_slope = 0.) const;
+    at(const double              p,
+       const ElasticConstants   &elastic,
+       const KinematicHardening &kinematic = KinematicHardening()) const;
 
   private:
     /// H of linear and Voce: as given, or E E_T / (E - E_T) less the
     /// kinematic part.
     double
-    linear_slope(const ElasticConstants &elastic,
-                 const double            kinematic_slope) const;
+    linear_slope(const ElasticConstants   &elastic,
+                 const KinematicHardening &kinematic) const;
+
+    /// The plastic strain of a point of the table.
+    double
+    plastic_strain(const unsigned int point, const double youngs_modulus) const;
+
+    /// R at a point of the table.
+    double
+    table_yield_stress(const unsigned int        point,
+                       const double              youngs_modulus,
+                       const KinematicHardening &kinematic) const;
 
     YieldStress
-    interpolate(const double p, const double youngs_modulus) const;
+    interpolate(const double              p,
+                const double              youngs_modulus,
+                const KinematicHardening &kinematic) const;
 
     void
-    check_table(const std::string &path, const double youngs_modulus) const;
+    check_table(const std::string        &path,
+                const double              youngs_modulus,
+                const KinematicHardening &kinematic) const;
   };
 } // namespace stickslip
 

@@ -8,6 +8,8 @@
 
 #include <stickslip/solid/constitutive_law.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -42,6 +44,12 @@ namespace stickslip
     /// chosen law.
     void
     add_parameters(ParameterHandler &prm);
+
+    /// As ConstitutiveLaw::read_files(). Collective.
+    void
+    read_files(const std::string &path,
+               const std::string &directory,
+               const MPI_Comm     communicator);
 
     /// Throws UserError for impossible values; @p degree is that of the
     /// displacements.

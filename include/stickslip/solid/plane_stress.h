@@ -30,6 +30,11 @@ namespace stickslip
     add_parameters(ParameterHandler &prm) override;
 
     void
+    read_files(const std::string &path,
+               const std::string &directory,
+               const MPI_Comm     communicator) override;
+
+    void
     check(const std::string &path) const override;
 
     /// Those of the law and "out_of_plane_stretch".

@@ -9,9 +9,10 @@
 namespace stickslip
 {
   /**
-   * A symmetric positive definite tensor B = sum_a x_a n_a x n_a (a left or
-   * right Cauchy-Green tensor) in its principal axes. Equal values need no
-   * care: everything is written with divided differences that have a limit.
+   * A symmetric tensor B = sum_a x_a n_a x n_a in its principal axes. It has to
+   * be positive definite (a left or right Cauchy-Green tensor) where logarithms
+   * are taken. Equal values need no care: everything is written with divided
+   * differences that have a limit.
    */
   struct PrincipalAxes
   {
@@ -33,9 +34,39 @@ namespace stickslip
     dealii::SymmetricTensor<2, 3>
     tensor(const std::array<double, 3> &values) const;
 
+    /**
+     * The derivative of an isotropic function sum_a f(x_a) n_a x n_a,
+     *
+     *   H -> sum_ab f_ab (n_a . H n_b) n_a x n_b,
+     *
+     * with f_ab = (f(x_a) - f(x_b)) / (x_a - x_b), or f'(x_a) for equal values
+     * (Daleckii and Krein; Bhatia, Matrix Analysis, theorem V.3.3).
+     */
+    dealii::SymmetricTensor<4, 3>
+    derivative(const std::array<std::array<double, 3>, 3> &f) const;
+
+    /// 1/2 ln B
+    dealii::SymmetricTensor<2, 3>
+    logarithmic_strain() const;
+
+    dealii::SymmetricTensor<4, 3>
+    logarithmic_strain_derivative() const;
+
+    /// exp(factor B)
+    dealii::SymmetricTensor<2, 3>
+    exponential(const double factor) const;
+
+    /// Its derivative over B.
+    dealii::SymmetricTensor<4, 3>
+    exponential_derivative(const double factor) const;
+
     std::array<double, 3>               values;
     std::array<dealii::Tensor<1, 3>, 3> axes;
   };
+
+  /// (exp(a) - exp(b)) / (a - b), or exp(b) for equal values
+  double
+  divided_exponential(const double a, const double b);
 
   /**
    * The derivative of P = tau F^-T where the Kirchhoff stress tau is an

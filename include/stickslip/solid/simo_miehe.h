@@ -34,6 +34,11 @@ namespace stickslip
     add_parameters(ParameterHandler &prm) override;
 
     void
+    read_files(const std::string &path,
+               const std::string &directory,
+               const MPI_Comm     communicator) override;
+
+    void
     check(const std::string &path) const override;
 
     std::vector<std::string>

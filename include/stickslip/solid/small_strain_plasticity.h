@@ -4,19 +4,13 @@
 #include <stickslip/solid/constitutive_law.h>
 #include <stickslip/solid/elastic_constants.h>
 #include <stickslip/solid/isotropic_hardening.h>
+#include <stickslip/solid/kinematic_hardening.h>
 
 #include <string>
 #include <vector>
 
 namespace stickslip
 {
-  /// What a kinematic modulus is.
-  enum class KinematicModulusType
-  {
-    slope,          ///< of the uniaxial back stress over the plastic strain
-    prager_constant ///< C of the back stress X = C e_p
-  };
-
   enum class StrainMeasure
   {
     small,
@@ -25,11 +19,10 @@ namespace stickslip
 
   /**
    * Von Mises plasticity with an additive split of the strain, isotropic
-   * hardening R(p) and Prager's kinematic hardening, separately or mixed:
+   * hardening R(p) and kinematic hardening (KinematicHardening), separately or
+   * mixed:
    *
-   *   |stress - X|_vM <= R(p),   X = C e_p,
-   *
-   * whose effect in a uniaxial test is the slope 3/2 C.
+   *   |stress - X|_vM <= R(p),   X = 2/3 C e_p + sum X_k.
    *
    * With "small" strains it is for small rotations, too: P = stress(sym F - I).
    * With "Green-Lagrange" strains the same relation is between Green-Lagrange
@@ -37,13 +30,19 @@ namespace stickslip
    * large, strains have to stay small (some percent). For large strains take a
    * law with a multiplicative split.
    *
-   * History: the equivalent plastic strain and the plastic strain.
+   * History: the equivalent plastic strain, the plastic strain, and the back
+   * stresses with recovery.
    */
   class SmallStrainPlasticity : public ConstitutiveLaw
   {
   public:
     void
     add_parameters(ParameterHandler &prm) override;
+
+    void
+    read_files(const std::string &path,
+               const std::string &directory,
+               const MPI_Comm     communicator) override;
 
     void
     check(const std::string &path) const override;
@@ -71,16 +70,10 @@ namespace stickslip
     bool
     is_geometrically_linear() const override;
 
-    ElasticConstants     constants;
-    IsotropicHardening   hardening;
-    double               kinematic_modulus      = 0.;
-    KinematicModulusType kinematic_modulus_type = KinematicModulusType::slope;
-    StrainMeasure        strain_measure         = StrainMeasure::small;
-
-  private:
-    /// Uniaxial slope of the kinematic hardening, as given or 3/2 C.
-    double
-    kinematic_slope() const;
+    ElasticConstants   constants;
+    IsotropicHardening hardening;
+    KinematicHardening kinematic;
+    StrainMeasure      strain_measure = StrainMeasure::small;
   };
 } // namespace stickslip
 

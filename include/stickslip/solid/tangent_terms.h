@@ -1,6 +1,7 @@
 #ifndef stickslip_solid_tangent_terms_h
 #define stickslip_solid_tangent_terms_h
 
+#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 
 namespace stickslip
@@ -12,6 +13,7 @@ namespace stickslip
    */
   namespace TangentTerms
   {
+    using dealii::SymmetricTensor;
     using dealii::Tensor;
 
     /// A_iJkL += factor X_iJ Y_kL
@@ -67,6 +69,29 @@ namespace stickslip
         for (unsigned int k = 0; k < 3; ++k)
           for (unsigned int J = 0; J < 3; ++J)
             A[i][J][k][J] += B[i][k];
+    }
+
+    /// A_iJkL += 2 Y_ia W_bJ D_abcd Y_kc W_dL, the derivative of F W S W over F
+    /// at a fixed, symmetric W, where S(C) has the derivative D over
+    /// C = W F^T F W, and Y = F W.
+    inline void
+    add_metric_derivative(Tensor<4, 3>                &A,
+                          const Tensor<2, 3>          &Y,
+                          const Tensor<2, 3>          &W,
+                          const SymmetricTensor<4, 3> &D)
+    {
+      for (unsigned int k = 0; k < 3; ++k)
+        for (unsigned int L = 0; L < 3; ++L)
+          {
+            SymmetricTensor<2, 3> dC;
+            for (unsigned int c = 0; c < 3; ++c)
+              for (unsigned int d = c; d < 3; ++d)
+                dC[c][d] = Y[k][c] * W[d][L] + Y[k][d] * W[c][L];
+            const Tensor<2, 3> dP = Y * Tensor<2, 3>(D * dC) * W;
+            for (unsigned int i = 0; i < 3; ++i)
+              for (unsigned int J = 0; J < 3; ++J)
+                A[i][J][k][L] += dP[i][J];
+          }
     }
   } // namespace TangentTerms
 } // namespace stickslip
