@@ -151,6 +151,7 @@ namespace stickslip
     file.apply_to(prm);
     mesh.input_directory   = file.directory();
     mesh.is_axisymmetric   = axisymmetric;
+    mesh.degree            = degree;
     mesh.bytes_per_cell    = matrix_bytes_per_cell(dimension, degree);
     mesh.bytes_per_simplex = matrix_bytes_per_simplex(dimension, degree);
     check();
