@@ -6,28 +6,16 @@
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include <algorithm>
-#include <map>
+#include <deal.II/numerics/rtree.h>
+
+#include <iterator>
+#include <utility>
+#include <vector>
 
 namespace stickslip
 {
   namespace
   {
-    template <int dim>
-    struct SmallerCoordinates
-    {
-      bool
-      operator()(const Point<dim> &a, const Point<dim> &b) const
-      {
-        return std::lexicographical_compare(a.begin_raw(),
-                                            a.end_raw(),
-                                            b.begin_raw(),
-                                            b.end_raw());
-      }
-    };
-
-
-
     /// Moves the vertices of @p simplices that GridGenerator has put into the
     /// middles of faces and cells of @p original, as if all sides were straight,
     /// to the middles that the manifolds know.
@@ -36,15 +24,34 @@ namespace stickslip
     move_middles_to_manifolds(const Triangulation<dim> &original,
                               Triangulation<dim>       &simplices)
     {
-      std::map<Point<dim>, Point<dim>, SmallerCoordinates<dim>> middles;
+      namespace bgi             = boost::geometry::index;
+      constexpr double roundoff = 1e-9; // of the size of a face or cell
+
+      struct Middle
+      {
+        Point<dim> on_manifold;
+        double     size;
+      };
+      std::vector<Middle>                              middles;
+      std::vector<std::pair<Point<dim>, unsigned int>> places;
+      const auto add = [&](const auto &object) {
+        places.emplace_back(object->center(), middles.size());
+        middles.push_back({object->center(true), object->diameter()});
+      };
       for (const auto &cell : original.active_cell_iterators())
-        middles[cell->center()] = cell->center(true);
+        add(cell);
       for (const auto &face : original.active_face_iterators())
-        middles[face->center()] = face->center(true);
+        add(face);
+
+      const auto tree = pack_rtree(places);
       GridTools::transform(
         [&](const Point<dim> &x) {
-          const auto middle = middles.find(x);
-          return middle == middles.end() ? x : middle->second;
+          std::vector<std::pair<Point<dim>, unsigned int>> nearest;
+          tree.query(bgi::nearest(x, 1), std::back_inserter(nearest));
+          const auto &[place, number] = nearest.front();
+          const Middle &middle        = middles[number];
+          return x.distance(place) < roundoff * middle.size ? middle.on_manifold
+                                                            : x;
         },
         simplices);
     }

@@ -98,7 +98,8 @@ namespace stickslip
                       Patterns::Bool());
     prm.add_parameter("Degree",
                       degree,
-                      "Polynomial degree of the displacement.",
+                      "Polynomial degree of the displacement, and of the sides of "
+                      "the cells where bodies are curved.",
                       Patterns::Integer(1, 6));
     add_named_list(prm, "Bodies", bodies);
     add_named_list(prm, "Materials", materials);
