@@ -4,7 +4,7 @@ ranks, and after refinements; a tube has to converge to Lame's closed form with 
 meshes are straightened.
 
 usage: curved_meshes.py PROGRAM MPIEXEC TEST [--verbose]
-TEST: orders_2d, orders_3d, volumes_2d, volumes_3d, formats_2d, formats_3d, restart
+TEST: orders_2d, orders_3d, volumes_2d, volumes_3d, formats_2d, formats_3d, restart, adaptation
 """
 
 import json
@@ -266,7 +266,24 @@ def test_restart(runs):
         runs.expect(len(whole) > 2 and whole == continued == on_two, "%s restarted: %s, %s and %s" % (kind, whole, continued, on_two))
 
 
-TESTS = {"restart": test_restart}
+ADAPTATION = """subsection Adaptation
+  set Estimator = recovery
+  set Error target = 0.004
+end
+subsection Load stepping
+  set Initial step = 0.5
+end
+"""
+
+
+def test_adaptation(runs):
+    """Meshes that are refined while the run goes on, on one rank and two: nearer to the closed form."""
+    uniform = error(runs, "QUAD8", 2, 4)
+    adapted, on_two = (error(runs, "QUAD8", 2, 4, rest=ADAPTATION, n_ranks=n) for n in (1, 2))
+    runs.expect(adapted == on_two and adapted < 0.5 * uniform, "adapted: errors %.4e and %.4e instead of %.4e" % (adapted, on_two, uniform))
+
+
+TESTS = {"restart": test_restart, "adaptation": test_adaptation}
 for suffix, in_space in (("2d", False), ("3d", True)):
     TESTS["orders_" + suffix] = lambda runs, in_space=in_space: test_orders(runs, in_space)
     TESTS["volumes_" + suffix] = lambda runs, in_space=in_space: test_volumes(runs, in_space)
