@@ -49,6 +49,20 @@ def changed(text, old, new):
     return text.replace(old, new, 1)
 
 
+
+def curved(left):
+    """A unit square of 8 nodes, that of its left side at LEFT."""
+    nodes = ["0 0", "1 0", "1 1", "0 1", "0.5 0", "1 0.5", "0.5 1", left]
+    return ("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n1 5 \"foot\"\n$EndPhysicalNames\n$Nodes\n8\n"
+            + "".join("%d %s 0\n" % (i + 1, x) for i, x in enumerate(nodes))
+            + "$EndNodes\n$Elements\n2\n1 8 2 5 5 1 2 5\n2 16 2 1 1 1 2 3 4 5 6 7 8\n$EndElements\n")
+
+
+# A second square beside it has the vertices 2 and 3, but a node of its own between them.
+TWO_CURVED = changed(curved("0.1 0.5"), "$Nodes\n8\n", "$Nodes\n9\n9 2 0 0\n10 2 1 0\n11 1.5 0 0\n12 2 0.5 0\n13 1.5 1 0\n14 1.1 0.5 0\n")
+TWO_CURVED = changed(TWO_CURVED, "$Nodes\n9\n", "$Nodes\n14\n")
+TWO_CURVED = changed(changed(TWO_CURVED, "$Elements\n2\n", "$Elements\n3\n"), "$EndElements", "3 16 2 1 1 2 9 10 3 11 12 13 14\n$EndElements")
+
 # what is wrong: (file name, contents, words of the message)
 MESHES = {
     "empty": ("a.msh", "", ["a.msh", "is empty"]),
@@ -71,7 +85,12 @@ MESHES = {
     "cut before the elements": ("a.msh", MSH[:MSH.index("$Elements")], ["no section $Elements", "incomplete"]),
     "no name in quotation marks": ("a.msh", changed(MSH, '"foot"', "foot"), ["quotation marks", "line 8"]),
     "triangles": ("a.msh", TRIANGLES, ["1 3-node triangles, 1 4-node quadrilaterals among 2 cells", "of one kind", "RecombineAll"]),
-    "second order": ("a.msh", changed(MSH, "5 3 2 1 1 1 2 3 4", "5 16 2 1 1 1 2 3 4 5 6 7 8"), ["1 8-node quadrilaterals", "ElementOrder = 1"]),
+    "a cell inside out": ("a.msh", curved("1.6 0.5"), ["Bodies/block", "inside out at", "Jacobian determinant", "vertices (0, 0)", "1 of 1 cells"]),
+    "a missing node": ("a.msh", changed(curved("0.6 0.5"), " 5 6 7 8\n", " 5 6 7\n"), ["line 22", "element 2 has 7 nodes; 8-node quadrilaterals have 8"]),
+    "a node that is not there": ("a.msh", changed(curved("0.6 0.5"), " 5 6 7 8\n", " 5 6 7 0\n"), ["line 22", "element 2", "node 0", "not there"]),
+    "different nodes of one edge": ("a.msh", TWO_CURVED, ["fit together", "the same vertices of a side", "(1.1, 0.5)", "(1, 0.5)"]),
+    "Abaqus with a missing node of the second order": ("a.inp", "*NODE\n1, 0, 0\n2, 1, 0\n3, 0, 1\n4, 0.5, 0\n5, 0.5, 0.5\n*ELEMENT, TYPE=CPE6\n1, 1, 2, 3, 4, 5\n",
+                                                       ["line 8", "element 1 of the type CPE6 has 5 nodes; 6 are expected"]),
     "tetrahedra": ("a.msh", changed(MSH, "5 3 2 1 1 1 2 3 4", "5 4 2 1 1 1 2 3 4"), ["2D case", "1 4-node tetrahedra", "Dimension = 3"]),
     "only lines": ("a.msh", changed(MSH, "5 3 2 1 1 1 2 3 4", "5 1 2 1 1 1 2").replace("6 3 2 2 2 5 6 7 8", "6 1 2 2 2 5 6"), ["is made of", "2-node lines"]),
     "not plane": ("a.msh", changed(MSH, "3 1 1 0", "3 1 1 0.5"), ["z from 0", "0.5", "plane"]),

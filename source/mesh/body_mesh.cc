@@ -6,12 +6,12 @@
 #include <stickslip/mesh/generator_arguments.h>
 #include <stickslip/mesh/mesh_checks.h>
 #include <stickslip/mesh/mesh_from_file.h>
-#include <stickslip/mesh/reference_cells.h>
+#include <stickslip/mesh/quadratic_manifold.h>
+#include <stickslip/mesh/simplex_cut.h>
 #include <stickslip/mesh/transformed_manifold.h>
 
 #include <deal.II/base/utilities.h>
 
-#include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
@@ -24,12 +24,28 @@ namespace stickslip
 {
   namespace
   {
-    /// Moves the vertices to where the expressions say.
+    /// The sides of all cells, of their children too, follow the curved cells.
     template <int dim>
     void
-    reshape_body(const std::string  &coordinates,
-                 const std::string  &parameter_path,
-                 Triangulation<dim> &triangulation)
+    bend_sides(BodyMesh<dim> &body)
+    {
+      if (!body.curved_cells)
+        return;
+      constexpr types::manifold_id id = 0;
+      body.triangulation.set_all_manifold_ids(id);
+      body.triangulation.set_manifold(
+        id, QuadraticManifold<dim>(body.curved_cells));
+    }
+
+
+
+    /// Moves the vertices, and the nodes of curved cells, to where the
+    /// expressions say.
+    template <int dim>
+    void
+    reshape_body(const std::string &coordinates,
+                 const std::string &parameter_path,
+                 BodyMesh<dim>     &body)
     {
       const std::vector<std::string> expressions =
         Utilities::split_string_list(coordinates, ';');
@@ -43,89 +59,24 @@ namespace stickslip
         parse_expressions<dim>(dim == 2 ? "x,y" : "x,y,z",
                                expressions,
                                parameter_path);
+      const auto move = [&](const Point<dim> &x) {
+        Point<dim> moved;
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            moved[d] = new_coordinates->value(x, d);
+            if (!std::isfinite(moved[d]))
+              throw UserError(parameter_path + ": '" + expressions[d] +
+                              "' is not a finite number at the node " +
+                              coordinates_in_message(x) + ".");
+          }
+        return moved;
+      };
       // The generator's curves have no meaning on the new shape.
-      triangulation.reset_all_manifolds();
-      triangulation.set_all_manifold_ids(numbers::flat_manifold_id);
-      GridTools::transform(
-        [&](const Point<dim> &x) {
-          Point<dim> moved;
-          for (unsigned int d = 0; d < dim; ++d)
-            {
-              moved[d] = new_coordinates->value(x, d);
-              if (!std::isfinite(moved[d]))
-                throw UserError(parameter_path + ": '" + expressions[d] +
-                                "' is not a finite number at the vertex " +
-                                coordinates_in_message(x) + ".");
-            }
-          return moved;
-        },
-        triangulation);
-    }
-
-
-
-    /// What GridGenerator makes of a quadrilateral or hexahedron.
-    template <int dim>
-    constexpr double n_simplices_per_cell = (dim == 2 ? 8. : 24.);
-
-
-
-    template <int dim>
-    struct SmallerCoordinates
-    {
-      bool
-      operator()(const Point<dim> &a, const Point<dim> &b) const
-      {
-        return std::lexicographical_compare(a.begin_raw(),
-                                            a.end_raw(),
-                                            b.begin_raw(),
-                                            b.end_raw());
-      }
-    };
-
-
-
-    /// For the middles of faces and cells, where GridGenerator puts vertices as
-    /// if all sides were straight, the middles that the manifolds know.
-    template <int dim>
-    std::map<Point<dim>, Point<dim>, SmallerCoordinates<dim>>
-    middles_on_curves(const Triangulation<dim> &triangulation)
-    {
-      std::map<Point<dim>, Point<dim>, SmallerCoordinates<dim>> middles;
-      for (const auto &cell : triangulation.active_cell_iterators())
-        middles[cell->center()] = cell->center(true);
-      for (const auto &face : triangulation.active_face_iterators())
-        middles[face->center()] = face->center(true);
-      return middles;
-    }
-
-
-
-    /// Boundary, material and manifold ids stay.
-    template <int dim>
-    void
-    cut_into_simplices(const std::string  &path,
-                       Triangulation<dim> &triangulation)
-    {
-      if (triangulation.all_reference_cells_are_simplex())
-        throw UserError(path + "/Simplices is true, but the mesh is made of " +
-                        plural(reference_cell_of(triangulation)) +
-                        " already. Leave it out.");
-      Triangulation<dim> flat, simplices;
-      GridGenerator::flatten_triangulation(triangulation, flat);
-      GridGenerator::convert_hypercube_to_simplex_mesh(flat, simplices);
-      const auto middles = middles_on_curves(triangulation);
-      GridTools::transform(
-        [&](const Point<dim> &x) {
-          const auto middle = middles.find(x);
-          return middle == middles.end() ? x : middle->second;
-        },
-        simplices);
-      for (const types::manifold_id id : simplices.get_manifold_ids())
-        if (id != numbers::flat_manifold_id)
-          simplices.set_manifold(id, triangulation.get_manifold(id));
-      triangulation.clear();
-      triangulation.copy_triangulation(simplices);
+      body.triangulation.reset_all_manifolds();
+      body.triangulation.set_all_manifold_ids(numbers::flat_manifold_id);
+      GridTools::transform(move, body.triangulation);
+      if (body.curved_cells)
+        body.curved_cells->transform(move);
     }
 
 
@@ -319,33 +270,37 @@ namespace stickslip
                       triangulation);
       }
     else
-      body->warnings.push_back(make_triangulation(
+      body->curved_cells = make_triangulation(
         files.read(parameters.mesh_file, parameters.mesh_format, path),
         parameters.mesh_groups,
         path + "/Mesh file: '" + parameters.mesh_file + "' ",
         path,
         triangulation,
         body->boundaries,
-        materials));
+        materials);
     check_cell_types(triangulation, path);
 
     if (!parameters.coordinates.empty())
-      reshape_body(parameters.coordinates,
-                   path + "/Coordinates",
-                   triangulation);
+      reshape_body(parameters.coordinates, path + "/Coordinates", *body);
     check_cell_shapes(triangulation, path);
+    if (body->curved_cells)
+      check_curved_cells(*body->curved_cells, path);
+    bend_sides(*body);
     size.check_coarse_refinements(triangulation.n_active_cells(),
                                   parameters.refinements,
                                   path + "/Refinements");
     if (parameters.simplices)
-      size.check_coarse(n_simplices_per_cell<dim> *
+      size.check_coarse(n_simplices_per_cell(dim) *
                           triangulation.n_active_cells() *
                           std::pow(2., 1. * dim * parameters.refinements),
                         path + "/Simplices",
                         "true makes ");
     triangulation.refine_global(parameters.refinements);
     if (parameters.simplices)
-      cut_into_simplices(path, triangulation);
+      {
+        cut_into_simplices(path, triangulation);
+        bend_sides(*body);
+      }
 
     const AffineMap<dim> map = body_motion<dim>(parameters, path);
     collect_manifolds(map, *body);

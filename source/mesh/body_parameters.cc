@@ -45,7 +45,8 @@ namespace stickslip
     prm.add_parameter("Mesh file",
                       mesh_file,
                       "A mesh of quadrilaterals or triangles (2D), of "
-                      "hexahedra or tetrahedra (3D) from "
+                      "hexahedra or tetrahedra (3D), of the first or second "
+                      "order, from "
                       "Gmsh (.msh), Abaqus (.inp), VTK (.vtk, .vtu) or UCD "
                       "(.ucd, .inp); relative names start at the folder of the "
                       ".prm file. Names of physical groups, sets and surfaces "
@@ -70,8 +71,9 @@ namespace stickslip
                       coordinates,
                       "New coordinates of the vertices, \"fx; fy\" or "
                       "\"fx; fy; fz\", as expressions of x, y, z, for grading "
-                      "and shaping. Straightens what was curved between the "
-                      "vertices.");
+                      "and shaping. Straightens what a generator has curved "
+                      "between the vertices; the nodes of a mesh file between "
+                      "the vertices move as these do.");
     prm.add_parameter("Refinements",
                       refinements,
                       "Uniform refinements of this body alone, before the "

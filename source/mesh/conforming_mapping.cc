@@ -1,5 +1,6 @@
 #include <stickslip/mesh/conforming_mapping.h>
 
+#include <stickslip/mesh/curved_simplex_mapping.h>
 #include <stickslip/mesh/reference_cells.h>
 
 #include <deal.II/base/index_set.h>
@@ -20,6 +21,38 @@ namespace stickslip
   namespace
   {
     using Positions = LinearAlgebra::distributed::Vector<double>;
+
+
+
+    template <int dim>
+    bool
+    has_manifolds(const Triangulation<dim> &triangulation)
+    {
+      for (const types::manifold_id id : triangulation.get_manifold_ids())
+        if (id != numbers::flat_manifold_id)
+          return true;
+      return false;
+    }
+
+
+
+    /// Isoparametric, with all nodes on the manifolds.
+    template <int dim>
+    std::unique_ptr<Mapping<dim>>
+    mapping_on_manifolds(const Triangulation<dim> &triangulation,
+                         const unsigned int        degree)
+    {
+      const ReferenceCell cell    = reference_cell_of(triangulation);
+      auto                mapping = make_mapping<dim>(cell, degree);
+      if (degree == 1 || !has_manifolds(triangulation))
+        return mapping;
+      if (cell.is_simplex())
+        return std::make_unique<CurvedSimplexMapping<dim>>(triangulation);
+      // Manifolds are not cheap; they are asked once instead of for each use.
+      auto cache = std::make_unique<MappingQCache<dim>>(degree);
+      cache->initialize(*mapping, triangulation);
+      return cache;
+    }
 
 
 
@@ -54,11 +87,11 @@ namespace stickslip
     const parallel::DistributedTriangulationBase<dim> &triangulation,
     const unsigned int                                 degree)
   {
-    const ReferenceCell cell    = reference_cell_of(triangulation);
-    auto                mapping = make_mapping<dim>(cell, degree);
+    auto mapping = mapping_on_manifolds(triangulation, degree);
     if (!triangulation.has_hanging_nodes())
       return mapping;
 
+    const ReferenceCell cell = reference_cell_of(triangulation);
     const FESystem<dim> fe(*make_element<dim>(cell, degree), dim);
     DoFHandler<dim>     dof_handler(triangulation);
     dof_handler.distribute_dofs(fe);

@@ -295,11 +295,12 @@ namespace stickslip
       throw UserError(
         "Bodies: there is no body. Add a subsection to 'Bodies'.");
 
-    Mesh<dim>       mesh;
-    JoinedMesh<dim> joined_mesh;
-    KindsOfCells    kinds;
-    MeshFiles       files(parameters.input_directory, communicator);
-    const MeshSize  size(dim, communicator);
+    Mesh<dim>                mesh;
+    JoinedMesh<dim>          joined_mesh;
+    KindsOfCells             kinds;
+    std::vector<std::string> curved_bodies;
+    MeshFiles                files(parameters.input_directory, communicator);
+    const MeshSize           size(dim, communicator);
     // Tools, whose cell is but a place for their motion, go with any kind.
     for (const bool tools : {false, true})
       for (auto [name, body] : body_parameters)
@@ -314,9 +315,14 @@ namespace stickslip
           for (const std::string &warning : body_mesh->warnings)
             if (!warning.empty())
               mesh.warnings.push_back(warning);
+          if (body_mesh->curved_cells)
+            curved_bodies.push_back(name);
           kinds.emplace_back(name, reference_cell_of(body_mesh->triangulation));
           append_body(name, body, *body_mesh, mesh.bodies, joined_mesh);
         }
+
+    if (parameters.degree == 1 && !curved_bodies.empty())
+      mesh.warnings.push_back(warning_about_straight_sides(curved_bodies));
 
     const ReferenceCell cell          = common_cell(kinds);
     const bool          has_simplices = cell.is_simplex();

@@ -1,5 +1,6 @@
 #include <stickslip/mesh/mesh_checks.h>
 
+#include <stickslip/base/nearest_name.h>
 #include <stickslip/base/user_error.h>
 #include <stickslip/mesh/reference_cells.h>
 
@@ -11,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -62,6 +64,70 @@ namespace stickslip
                      : std::min(smallest, determinant / volume);
       return smallest;
     }
+
+
+
+    /// Where the Jacobian determinants of curved cells are looked at.
+    template <int dim>
+    class PlacesToLook
+    {
+    public:
+      explicit PlacesToLook(const ReferenceCell &cell)
+        : inside(cell_quadrature<dim>(cell, 2).get_points())
+      {
+        constexpr unsigned int n_parts = 4; // of an edge
+        for (unsigned int i = 0; i < std::pow(n_parts + 1, dim); ++i)
+          {
+            Point<dim> place;
+            for (unsigned int d = 0, rest = i; d < dim; ++d)
+              {
+                place[d] = 1. * (rest % (n_parts + 1)) / n_parts;
+                rest /= n_parts + 1;
+              }
+            if (distance_to_unit_cell(cell, place) < 1e-12)
+              everywhere.push_back(place);
+          }
+      }
+
+      /// The worst place of @p cell, if it is bad there. At a vertex between
+      /// two sides that are tangential to each other, as on a circle, the
+      /// determinant is zero, which does no harm.
+      std::optional<Point<dim>>
+      bad_one(const QuadraticCells<dim> &cells, const std::size_t cell) const
+      {
+        constexpr double roundoff = 1e-10;
+        // Cells with the other orientation are no bad ones: readers turn them.
+        double sum = 0., largest = 0.;
+        for (const Point<dim> &place : inside)
+          {
+            const double jacobian = determinant(cells.jacobian(cell, place));
+            sum += jacobian;
+            largest = std::max(largest, std::abs(jacobian));
+          }
+        const double              sign     = sum < 0. ? -1. : 1.;
+        double                    smallest = -roundoff * largest;
+        std::optional<Point<dim>> worst;
+        const auto                look_at = [&](const Point<dim> &place) {
+          const double jacobian =
+            sign * determinant(cells.jacobian(cell, place));
+          if (!(jacobian >= smallest)) // also if it is no number
+            {
+              smallest = jacobian;
+              worst    = place;
+            }
+        };
+        for (const Point<dim> &place : everywhere)
+          look_at(place);
+        if (!worst)
+          smallest = roundoff * largest;
+        for (const Point<dim> &place : inside)
+          look_at(place);
+        return worst;
+      }
+
+    private:
+      std::vector<Point<dim>> inside, everywhere;
+    };
   } // namespace
 
 
@@ -132,6 +198,48 @@ namespace stickslip
 
 
   template <int dim>
+  CellsInsideOut<dim>
+  cells_inside_out(const QuadraticCells<dim> &cells)
+  {
+    const PlacesToLook<dim> places(cells.element().reference_cell());
+    CellsInsideOut<dim>     bad;
+    for (std::size_t cell = 0; cell < cells.size(); ++cell)
+      if (const auto worst = places.bad_one(cells, cell))
+        if (bad.n_cells++ == 0)
+          {
+            bad.first = cell;
+            bad.place = cells.position(cell, *worst);
+          }
+    return bad;
+  }
+
+
+
+  template <int dim>
+  void
+  check_curved_cells(const QuadraticCells<dim> &cells, const std::string &path)
+  {
+    const CellsInsideOut<dim> bad = cells_inside_out(cells);
+    if (bad.n_cells == 0)
+      return;
+    std::string vertices;
+    for (const unsigned int v :
+         cells.element().reference_cell().vertex_indices())
+      vertices += " " + coordinates_in_message(cells.node(bad.first, v));
+    throw UserError(
+      path +
+      ": the nodes between the vertices of a curved cell turn it inside "
+      "out at " +
+      coordinates_in_message(bad.place) +
+      ", where its Jacobian determinant is not positive (vertices" + vertices +
+      "); " + std::to_string(bad.n_cells) + " of " +
+      std::to_string(cells.size()) +
+      " cells are so. Move these nodes, or take a finer mesh.");
+  }
+
+
+
+  template <int dim>
   std::string
   warning_about_seams(const Triangulation<dim> &triangulation,
                       const std::string        &path)
@@ -160,6 +268,17 @@ namespace stickslip
            ", lie on other ones: the mesh is open there, as along a crack, and "
            "the two sides can part and pass through each other. Merge the "
            "nodes if the body is whole.";
+  }
+
+
+
+  std::string
+  warning_about_straight_sides(const std::vector<std::string> &bodies)
+  {
+    return "Degree = 1 makes the curved sides of the cells of " +
+           quoted_list(bodies) +
+           " straight between their vertices, whatever the nodes of the mesh "
+           "file between these say. 'Degree = 2' follows them.";
   }
 
 
@@ -196,6 +315,14 @@ namespace stickslip
   check_cell_shapes(const Triangulation<2> &, const std::string &);
   template void
   check_cell_shapes(const Triangulation<3> &, const std::string &);
+  template CellsInsideOut<2>
+  cells_inside_out(const QuadraticCells<2> &);
+  template CellsInsideOut<3>
+  cells_inside_out(const QuadraticCells<3> &);
+  template void
+  check_curved_cells(const QuadraticCells<2> &, const std::string &);
+  template void
+  check_curved_cells(const QuadraticCells<3> &, const std::string &);
   template std::string
   warning_about_seams(const Triangulation<2> &, const std::string &);
   template std::string

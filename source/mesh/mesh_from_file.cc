@@ -4,6 +4,7 @@
 #include <stickslip/base/user_error.h>
 #include <stickslip/mesh/free_faces.h>
 #include <stickslip/mesh/mesh_selection.h>
+#include <stickslip/mesh/second_order_nodes.h>
 
 #include <deal.II/grid/grid_tools.h>
 
@@ -176,32 +177,12 @@ namespace stickslip
           std::swap(vertices[first + 2], vertices[first + 3]);
       return vertices;
     }
-
-
-
-    std::string
-    warning_about_straight_sides(const MeshFile                 &file,
-                                 const std::vector<std::size_t> &cells,
-                                 const std::string              &path)
-    {
-      const auto n_curved =
-        std::count_if(cells.begin(), cells.end(), [&](const std::size_t e) {
-          return !file.type(e).is_linear();
-        });
-      if (n_curved == 0)
-        return "";
-      return path + "/Mesh file: of " + std::to_string(n_curved) +
-             " cells of the second order (" +
-             file.type(cells.front()).plural() +
-             ") only the vertices are used; curved sides become straight. "
-             "'Degree' says which elements are made of them.";
-    }
   } // namespace
 
 
 
   template <int dim>
-  std::string
+  std::shared_ptr<QuadraticCells<dim>>
   make_triangulation(const MeshFile                 &file,
                      const std::vector<std::string> &groups,
                      const std::string              &where,
@@ -258,12 +239,12 @@ namespace stickslip
         throw UserError(where + "is no mesh whose cells fit together: " +
                         short_message(exception));
       }
-    return warning_about_straight_sides(file, elements, path);
+    return curved_cells<dim>(file, elements, where);
   }
 
 
 
-  template std::string
+  template std::shared_ptr<QuadraticCells<2>>
   make_triangulation(const MeshFile &,
                      const std::vector<std::string> &,
                      const std::string &,
@@ -271,7 +252,7 @@ namespace stickslip
                      Triangulation<2> &,
                      LabelledIds &,
                      LabelledIds &);
-  template std::string
+  template std::shared_ptr<QuadraticCells<3>>
   make_triangulation(const MeshFile &,
                      const std::vector<std::string> &,
                      const std::string &,

@@ -1,6 +1,7 @@
 #include <stickslip/mesh/mesh_inspection.h>
 
 #include <stickslip/base/user_error.h>
+#include <stickslip/mesh/mesh_checks.h>
 #include <stickslip/mesh/mesh_reader.h>
 #include <stickslip/mesh/mesh_selection.h>
 
@@ -215,6 +216,24 @@ namespace stickslip
 
 
 
+    template <int dim>
+    void
+    look_at_curved_cells(const MeshFile                 &file,
+                         const std::vector<std::size_t> &cells,
+                         MeshInspection                 &inspection)
+    {
+      const auto curved =
+        curved_cells<dim>(file, cells, "--inspect-mesh: the mesh ");
+      if (!curved)
+        return;
+      const CellsInsideOut<dim> bad = cells_inside_out(*curved);
+      inspection.n_inside_out       = bad.n_cells;
+      for (unsigned int d = 0; d < dim; ++d)
+        inspection.inside_out_place[d] = bad.place[d];
+    }
+
+
+
     void
     look_at_groups(const MeshFile &file, MeshInspection &inspection)
     {
@@ -262,6 +281,11 @@ namespace stickslip
              " cells are inverted or degenerate");
       else if (inspection.worst_quality < 0.2)
         warn("badly shaped cells: scaled Jacobian below 0.2");
+      if (inspection.n_inside_out > 0)
+        warn(std::to_string(inspection.n_inside_out) +
+             " curved cells are turned inside out by their nodes, the first "
+             "at " +
+             place(inspection.inside_out_place));
       const MeshInterfaces &found = inspection.interfaces;
       if (found.n_crack > 0)
         warn(std::to_string(found.n_crack) +
@@ -335,10 +359,20 @@ namespace stickslip
     const auto bodies = connected_bodies(file, cells);
     look_at_cells(file, cells, bodies, inspection);
     if (can_be_used)
-      inspection.interfaces =
-        inspection.dimension == 2
-          ? find_interfaces<2>(file, cells, bodies, inspection.box.extent())
-          : find_interfaces<3>(file, cells, bodies, inspection.box.extent());
+      {
+        const bool   is_plane = inspection.dimension == 2;
+        const double extent   = inspection.box.extent();
+        inspection.is_of_second_order =
+          std::any_of(cells.begin(), cells.end(), [&](const std::size_t cell) {
+            return !file.type(cell).is_linear();
+          });
+        inspection.deviation = deviation_of_nodes(file, cells);
+        (is_plane ? look_at_curved_cells<2>
+                  : look_at_curved_cells<3>)(file, cells, inspection);
+        inspection.interfaces =
+          (is_plane ? find_interfaces<2>
+                    : find_interfaces<3>)(file, cells, bodies, extent);
+      }
     else
       inspection.warnings.push_back(
         "only " + usable_cells_in_words(inspection.dimension) +

@@ -146,7 +146,20 @@ namespace stickslip
         << short_number(inspection.worst_quality);
     if (inspection.worst_quality < 1.)
       out << " at " << point_in_words(inspection.worst_place, dim);
-    out << "\nBodies (cells that share nodes):\n";
+    out << '\n';
+    if (inspection.is_of_second_order)
+      {
+        out << "Degree 2, "
+            << (inspection.deviation.is_curved() ? "curved" : "straight")
+            << ": nodes between vertices are ";
+        if (inspection.deviation.is_curved())
+          out << "up to " << short_number(inspection.deviation.largest)
+              << " away from the middle of a straight edge or side, at "
+              << point_in_words(inspection.deviation.place, dim) << '\n';
+        else
+          out << "in the middles of straight edges and sides\n";
+      }
+    out << "Bodies (cells that share nodes):\n";
     for (unsigned int b = 0; b < inspection.bodies.size(); ++b)
       {
         const InspectedBody &body = inspection.bodies[b];
@@ -203,6 +216,12 @@ namespace stickslip
         << json_number(inspection.worst_quality)
         << ",\n  \"worst cell at\": " << json_point(inspection.worst_place, dim)
         << ",\n  \"inverted cells\": " << inspection.n_inverted
+        << ",\n  \"degree\": " << (inspection.is_of_second_order ? 2 : 1)
+        << ",\n  \"curved\": "
+        << (inspection.deviation.is_curved() ? "true" : "false")
+        << ",\n  \"distance from straight\": "
+        << json_number(inspection.deviation.largest)
+        << ",\n  \"cells inside out\": " << inspection.n_inside_out
         << ",\n  \"coincident nodes\": " << inspection.interfaces.n_coincident
         << ",\n  \"coincident nodes of one body\": "
         << inspection.interfaces.n_crack

@@ -18,26 +18,24 @@ namespace stickslip
     std::string
     advice_on_cells(const unsigned int dim)
     {
-      return dim == 2 ? "Mesh with triangles alone, or with quadrilaterals of "
-                        "the first order (Gmsh: "
-                        "Mesh.RecombineAll = 1; Mesh.ElementOrder = 1)."
-                      : "Mesh with tetrahedra alone, or with hexahedra of the "
-                        "first order (Gmsh: "
-                        "transfinite volumes with Recombine, extrusion with "
-                        "Layers and "
-                        "Recombine, or Mesh.SubdivisionAlgorithm = 2; "
-                        "Mesh.ElementOrder = 1).";
+      return dim == 2
+               ? "Mesh with triangles alone, or with quadrilaterals alone "
+                 "(Gmsh: Mesh.RecombineAll = 1)."
+               : "Mesh with tetrahedra alone, or with hexahedra alone (Gmsh: "
+                 "transfinite volumes with Recombine, extrusion with Layers "
+                 "and "
+                 "Recombine, or Mesh.SubdivisionAlgorithm = 2).";
     }
 
 
 
-    /// Can cells of this type be used, straight where they are curved?
+    /// Can cells of this type be used?
     bool
     can_be_used(const MeshElementType &type)
     {
       return is_simplex(type.shape) ||
-             (type.is_linear() && (type.shape == ElementShape::quadrilateral ||
-                                   type.shape == ElementShape::hexahedron));
+             type.shape == ElementShape::quadrilateral ||
+             type.shape == ElementShape::hexahedron;
     }
 
 
@@ -132,8 +130,7 @@ namespace stickslip
   std::string
   usable_cells_in_words(const unsigned int dim)
   {
-    return dim == 2 ? "triangles or 4-node quadrilaterals"
-                    : "tetrahedra or 8-node hexahedra";
+    return dim == 2 ? "triangles or quadrilaterals" : "tetrahedra or hexahedra";
   }
 
 

@@ -98,7 +98,8 @@ namespace stickslip
                       Patterns::Bool());
     prm.add_parameter("Degree",
                       degree,
-                      "Polynomial degree of the displacement.",
+                      "Polynomial degree of the displacement, and of the sides of "
+                      "the cells where bodies are curved.",
                       Patterns::Integer(1, 6));
     add_named_list(prm, "Bodies", bodies);
     add_named_list(prm, "Materials", materials);
@@ -153,6 +154,7 @@ namespace stickslip
     file.apply_to(prm);
     mesh.input_directory   = file.directory();
     mesh.is_axisymmetric   = axisymmetric;
+    mesh.degree            = degree;
     mesh.bytes_per_cell    = matrix_bytes_per_cell(dimension, degree);
     mesh.bytes_per_simplex = matrix_bytes_per_simplex(dimension, degree);
     for (auto &[name, material] : materials)

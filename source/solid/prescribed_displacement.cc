@@ -64,6 +64,14 @@ namespace stickslip
                    const unsigned int  face,
                    const unsigned int  condition);
 
+      /// Does the node of the prepared cell belong to this rank?
+      bool
+      is_of_this_rank(const unsigned int node) const
+      {
+        return dof_handler.locally_owned_dofs().is_element(
+          dof_indices[dof_handler.get_fe().component_to_system_index(0, node)]);
+      }
+
       /// Of a face that has to be plane.
       Tensor<1, dim>
       face_normal(const CellIterator &cell,
@@ -166,13 +174,20 @@ namespace stickslip
                                          const unsigned int  condition)
     {
       prepare(cell);
+      std::vector<unsigned int> nodes_of_rank;
+      for (unsigned int a = 0; a < scalar_fe.n_dofs_per_cell(); ++a)
+        if (has_node_on_face(scalar_fe, a, face) && is_of_this_rank(a))
+          nodes_of_rank.push_back(a);
+      // Behind some faces of ghost cells lie cells that only other ranks know.
+      // They look like a boundary, and need not be plane.
+      if (nodes_of_rank.empty())
+        return;
       const bool is_symmetry =
         conditions[condition].type == BoundaryConditionType::symmetry;
       const Tensor<1, dim> normal =
         is_symmetry ? face_normal(cell, face, condition) : Tensor<1, dim>();
-      for (unsigned int a = 0; a < scalar_fe.n_dofs_per_cell(); ++a)
-        if (has_node_on_face(scalar_fe, a, face))
-          hold_node(cell, a, condition, is_symmetry ? &normal : nullptr);
+      for (const unsigned int a : nodes_of_rank)
+        hold_node(cell, a, condition, is_symmetry ? &normal : nullptr);
     }
 
 
@@ -208,11 +223,11 @@ namespace stickslip
                                       const unsigned int    condition,
                                       const Tensor<1, dim> *normal)
     {
+      if (!is_of_this_rank(node))
+        return;
       const FiniteElement<dim>     &fe = dof_handler.get_fe();
       const types::global_dof_index first_dof =
         dof_indices[fe.component_to_system_index(0, node)];
-      if (!dof_handler.locally_owned_dofs().is_element(first_dof))
-        return;
       const Point<dim> &position = node_values.quadrature_point(node);
       if (conditions[condition].where &&
           conditions[condition].where->value(position, time) == 0.)

@@ -5,6 +5,7 @@
 #include <stickslip/mesh/labelled_ids.h>
 #include <stickslip/mesh/mesh_reader.h>
 #include <stickslip/mesh/mesh_size.h>
+#include <stickslip/mesh/quadratic_cells.h>
 #include <stickslip/mesh/transformed_manifold.h>
 
 #include <deal.II/grid/manifold.h>
@@ -22,15 +23,17 @@ namespace stickslip
    * the others. Boundary ids are those of `boundaries`, cell->material_id() is
    * an index into `materials`. `manifolds` holds the manifolds of the final
    * place for the ids that are still in use (the triangulation's own may be
-   * outdated).
+   * outdated). `curved_cells` is the geometry of cells of the second order, no
+   * pointer if the body has none; it is a manifold like others afterwards.
    */
   template <int dim>
   struct BodyMesh
   {
-    Triangulation<dim>       triangulation;
-    LabelledIds              boundaries;
-    std::vector<std::string> materials;
-    std::vector<std::string> warnings; ///< for the user
+    Triangulation<dim>                   triangulation;
+    std::shared_ptr<QuadraticCells<dim>> curved_cells;
+    LabelledIds                          boundaries;
+    std::vector<std::string>             materials;
+    std::vector<std::string>             warnings; ///< for the user
     std::map<types::manifold_id, std::unique_ptr<Manifold<dim, dim>>> manifolds;
   };
 

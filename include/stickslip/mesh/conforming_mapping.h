@@ -12,14 +12,15 @@ namespace stickslip
   using namespace dealii;
 
   /**
-   * The isoparametric mapping of a mesh, without gaps at hanging nodes.
+   * The isoparametric mapping of a mesh, with its nodes on the manifolds, and
+   * without gaps at hanging nodes. It does not outlive a change of the
+   * triangulation.
    *
    * On a curved manifold the cells of a refined side have their nodes on the
    * manifold, those of the coarse side are polynomials between theirs: a gap or
    * an overlap where displacements are continuous, so that a rotation of the
    * body would strain it. Here hanging nodes lie where the constraints of the
-   * displacements put them, on the coarse side. Without hanging nodes it is
-   * make_mapping(). Collective.
+   * displacements put them, on the coarse side. Collective.
    */
   template <int dim>
   std::unique_ptr<Mapping<dim>>

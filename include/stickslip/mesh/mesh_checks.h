@@ -1,9 +1,12 @@
 #ifndef stickslip_mesh_mesh_checks_h
 #define stickslip_mesh_mesh_checks_h
 
+#include <stickslip/mesh/quadratic_cells.h>
+
 #include <deal.II/grid/reference_cell.h>
 #include <deal.II/grid/tria.h>
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +35,25 @@ namespace stickslip
   check_cell_shapes(const Triangulation<dim> &triangulation,
                     const std::string        &path);
 
+  /// Curved cells that their nodes turn inside out: whose Jacobian determinant
+  /// is negative somewhere, or zero inside.
+  template <int dim>
+  struct CellsInsideOut
+  {
+    std::size_t n_cells = 0;
+    std::size_t first   = 0; ///< index of the first one
+    Point<dim>  place;       ///< where it is worst
+  };
+
+  template <int dim>
+  CellsInsideOut<dim>
+  cells_inside_out(const QuadraticCells<dim> &cells);
+
+  /// Throws UserError naming the first of them, if there are any.
+  template <int dim>
+  void
+  check_curved_cells(const QuadraticCells<dim> &cells, const std::string &path);
+
   /// Says where faces of the boundary lie on each other, as along a crack with
   /// two sets of nodes, which a mesh generator also makes of two parts that it
   /// was not told to join; "" if there are none.
@@ -39,6 +61,10 @@ namespace stickslip
   std::string
   warning_about_seams(const Triangulation<dim> &triangulation,
                       const std::string        &path);
+
+  /// Says what elements of degree 1 make of @p bodies with curved cells.
+  std::string
+  warning_about_straight_sides(const std::vector<std::string> &bodies);
 
   /// Names of bodies and the cells that they are made of.
   using KindsOfCells = std::vector<std::pair<std::string, ReferenceCell>>;

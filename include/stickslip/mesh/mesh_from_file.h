@@ -3,9 +3,11 @@
 
 #include <stickslip/mesh/file/mesh_file.h>
 #include <stickslip/mesh/labelled_ids.h>
+#include <stickslip/mesh/quadratic_cells.h>
 
 #include <deal.II/grid/tria.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,16 +19,16 @@ namespace stickslip
    * @p boundaries and @p materials. A node set marks the boundary faces whose
    * vertices are all in it, unless all vertices of the body are.
    *
-   * Of triangles and tetrahedra of higher order the vertices are taken: their
-   * sides become straight.
+   * The cells of the triangulation have the vertices of the file. Returns the
+   * geometry of cells of the second order if any of them is curved (see
+   * curved_cells()), no pointer otherwise.
    *
    * The same on each rank. Throws UserError that begins with @p where (file
    * and parameter) for unknown groups, cells that cannot be used, cells that
    * overlap, a 2D mesh that is not plane. @p path is the body's subsection.
-   * Returns a warning, "" if there is none.
    */
   template <int dim>
-  std::string
+  std::shared_ptr<QuadraticCells<dim>>
   make_triangulation(const MeshFile                 &file,
                      const std::vector<std::string> &groups,
                      const std::string              &where,

@@ -3,6 +3,7 @@
 
 #include <stickslip/mesh/file/mesh_file.h>
 #include <stickslip/mesh/mesh_interfaces.h>
+#include <stickslip/mesh/second_order_nodes.h>
 
 #include <deal.II/base/point.h>
 
@@ -61,6 +62,11 @@ namespace stickslip
     double      worst_quality = 1.; ///< scaled Jacobian, 1 at best
     Point<3>    worst_place;        ///< centre of that cell
     std::size_t n_inverted = 0;     ///< of quality <= 0
+
+    bool          is_of_second_order = false;
+    NodeDeviation deviation;        ///< of nodes between vertices
+    std::size_t   n_inside_out = 0; ///< curved cells with a bad Jacobian
+    Point<3>      inside_out_place;
 
     MeshInterfaces interfaces;
 

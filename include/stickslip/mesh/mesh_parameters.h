@@ -39,6 +39,10 @@ namespace stickslip
     double bytes_per_cell    = 0.;
     double bytes_per_simplex = 0.; ///< of each triangle or tetrahedron
 
+    /// The degree of the displacements (set by the caller): what it makes of
+    /// curved cells is said.
+    unsigned int degree = 1;
+
     /// The bodies are bodies of revolution (set by the caller).
     bool is_axisymmetric = false;
 

@@ -47,7 +47,7 @@ namespace stickslip
   std::unique_ptr<FiniteElement<dim>>
   make_discontinuous_element(const ReferenceCell &cell);
 
-  /// Isoparametric; simplices have straight sides.
+  /// Isoparametric; of simplices the one with straight sides, of degree 1.
   template <int dim>
   std::unique_ptr<Mapping<dim>>
   make_mapping(const ReferenceCell &cell, const unsigned int degree);

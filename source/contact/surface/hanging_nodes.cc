@@ -115,7 +115,9 @@ namespace stickslip
   types::global_dof_index
   node_shared_with_parent(const CollectedFace<dim> &face)
   {
-    if (face.cell->level() > 0)
+    // Triangles and tetrahedra are not refined locally: none of their nodes
+    // hangs, and children in the middle have no vertex of the parent.
+    if (face.cell->level() > 0 && !face.cell->reference_cell().is_simplex())
       {
         // child number i has vertex i of its parent
         const CellId       id      = face.cell->id();

@@ -69,6 +69,30 @@ namespace stickslip
 
 
 
+    /// -1 if the normal that surface_normal() makes of the tangents of face @p f
+    /// points out of the cell, else 1: the same for all cells, whose Jacobian
+    /// determinants are positive. So the unit cell tells. (The vertices of a
+    /// curved cell do not: their centre may lie beyond the middle of a face.)
+    template <int dim>
+    double
+    orientation_of_face(const FiniteElement<dim> &fe,
+                        const unsigned int        f,
+                        const FaceShape<dim>     &shape)
+    {
+      const FaceShapeValues<dim> &centre = shape.at_centre();
+      std::vector<Tensor<1, dim>> nodes;
+      for (const unsigned int i : nodes_of_face(fe, f, shape))
+        nodes.emplace_back(fe.unit_support_point(i));
+      const Tensor<1, dim> outward =
+        interpolate<dim>(centre.value, nodes) -
+        fe.reference_cell().template barycenter<dim>();
+      const Tensor<1, dim> normal =
+        surface_normal<dim>(surface_tangents<dim>(centre.gradient, nodes));
+      return normal * outward > 0. ? -1. : 1.;
+    }
+
+
+
     template <int dim>
     std::array<Tensor<1, dim>, dim - 1>
     reference_tangents(const SurfaceFace<dim>                &face,
@@ -132,7 +156,9 @@ namespace stickslip
     const Quadrature<dim> support(fe.base_element(0).get_unit_support_points());
     FEValues<dim> fe_values(mapping, fe, support, update_quadrature_points);
     std::vector<types::global_dof_index> cell_dofs(fe.n_dofs_per_cell());
-    const FaceShapeValues<dim>          &centre = shape.at_centre();
+    std::vector<double>                  orientations;
+    for (const unsigned int f : fe.reference_cell().face_indices())
+      orientations.push_back(orientation_of_face(fe.base_element(0), f, shape));
 
     // A simplex is higher than its volume over the area of its face.
     const double                    height_factor = has_simplices ? dim : 1.;
@@ -166,14 +192,7 @@ namespace stickslip
             face.n_nodes  = face.reference_positions.size();
             face.diameter = cell->face(f)->diameter();
 
-            Tensor<1, dim> outward;
-            for (unsigned int j = 0; j < face.n_nodes; ++j)
-              outward +=
-                centre.value[j] * Tensor<1, dim>(face.reference_positions[j]);
-            outward -= Tensor<1, dim>(cell->center());
-            const Tensor<1, dim> normal =
-              surface_normal<dim>(reference_tangents(face, centre.gradient));
-            face.orientation       = normal * outward > 0. ? -1. : 1.;
+            face.orientation       = orientations[f];
             const double stiffness = modulus(cell->material_id());
             face.compliance        = std::isinf(stiffness)
                                        ? 0.

@@ -1,6 +1,7 @@
 #include <stickslip/mesh/file/abaqus_reader.h>
 
 #include <stickslip/mesh/file/abaqus_elements.h>
+#include <stickslip/mesh/file/element_type.h>
 #include <stickslip/mesh/file/mesh_scanner.h>
 
 #include <memory>
@@ -209,6 +210,8 @@ namespace stickslip
                        " twice; collapsed elements are not supported");
         added.nodes.push_back(point);
       }
+    added.nodes =
+      nodes_in_order(added.nodes, node_order_of_abaqus(element_types()[type]));
     part->elements.push_back(added);
   }
 

@@ -1,6 +1,7 @@
 #include <stickslip/mesh/file/element_type.h>
 
 #include <map>
+#include <numeric>
 
 namespace stickslip
 {
@@ -118,6 +119,106 @@ namespace stickslip
     return find_element_type([&](const MeshElementType &type) {
       return type.shape == shape && type.n_nodes == n_nodes;
     });
+  }
+
+
+
+  const std::vector<unsigned int> &
+  node_order_of_gmsh(const MeshElementType &type)
+  {
+    static const std::vector<unsigned int> same;
+    static const std::vector<unsigned int> tetrahedron = {
+      0, 1, 2, 3, 4, 5, 6, 7, 9, 8};
+    static const std::vector<unsigned int> hexahedron_20 = {0,  1,  2,  3,  4,
+                                                            5,  6,  7,  8,  11,
+                                                            13, 9,  16, 18, 19,
+                                                            17, 10, 12, 14, 15};
+    static const std::vector<unsigned int> hexahedron_27 = {
+      0,  1,  2,  3,  4,  5,  6,  7,  8,  11, 13, 9,  16, 18,
+      19, 17, 10, 12, 14, 15, 22, 23, 21, 24, 20, 25, 26};
+    if (type.shape == ElementShape::tetrahedron && type.n_nodes == 10)
+      return tetrahedron;
+    if (type.shape == ElementShape::hexahedron && type.n_nodes == 20)
+      return hexahedron_20;
+    if (type.shape == ElementShape::hexahedron && type.n_nodes == 27)
+      return hexahedron_27;
+    return same;
+  }
+
+
+
+  const std::vector<unsigned int> &
+  node_order_of_abaqus(const MeshElementType &type)
+  {
+    static const std::vector<unsigned int> same;
+    // C3D27: the centre, then the middles of the faces 1 to 6.
+    static const std::vector<unsigned int> hexahedron_27 = {
+      0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13,
+      14, 15, 16, 17, 18, 19, 26, 24, 23, 25, 21, 22, 20};
+    return type.shape == ElementShape::hexahedron && type.n_nodes == 27
+             ? hexahedron_27
+             : same;
+  }
+
+
+
+  std::vector<unsigned int>
+  nodes_in_order(const std::vector<unsigned int> &nodes,
+                 const std::vector<unsigned int> &order)
+  {
+    if (order.empty())
+      return nodes;
+    std::vector<unsigned int> ordered;
+    for (const unsigned int n : order)
+      ordered.push_back(nodes[n]);
+    return ordered;
+  }
+
+
+
+  std::vector<std::vector<unsigned int>>
+  vertices_around_nodes(const MeshElementType &type)
+  {
+    using Middles = std::vector<std::vector<unsigned int>>;
+    static const std::map<ElementShape, Middles> middles = {
+      {ElementShape::triangle, {{0, 1}, {1, 2}, {2, 0}}},
+      {ElementShape::quadrilateral, {{0, 1}, {1, 2}, {2, 3}, {3, 0}}},
+      {ElementShape::tetrahedron,
+       {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}},
+      {ElementShape::hexahedron,
+       {{0, 1},
+        {1, 2},
+        {2, 3},
+        {3, 0},
+        {4, 5},
+        {5, 6},
+        {6, 7},
+        {7, 4},
+        {0, 4},
+        {1, 5},
+        {2, 6},
+        {3, 7},
+        {0, 3, 4, 7},
+        {1, 2, 5, 6},
+        {0, 1, 4, 5},
+        {2, 3, 6, 7},
+        {0, 1, 2, 3},
+        {4, 5, 6, 7}}}};
+
+    Middles            around;
+    const unsigned int n_vertices = n_vertices_of(type.shape);
+    for (unsigned int v = 0; v < n_vertices; ++v)
+      around.push_back({v});
+    const Middles &all = middles.at(type.shape);
+    for (unsigned int m = 0; m < all.size() && around.size() < type.n_nodes;
+         ++m)
+      around.push_back(all[m]);
+    if (around.size() < type.n_nodes) // the centre
+      {
+        around.emplace_back(n_vertices);
+        std::iota(around.back().begin(), around.back().end(), 0U);
+      }
+    return around;
   }
 
 

@@ -1,5 +1,7 @@
 #include <stickslip/mesh/file/gmsh_reader.h>
 
+#include <stickslip/mesh/file/element_type.h>
+
 #include <cstdlib>
 #include <string>
 #include <utility>
@@ -31,6 +33,11 @@ namespace stickslip
     std::vector<unsigned int> nodes(element_types()[type].n_nodes);
     for (unsigned int &node : nodes)
       {
+        if (!is_binary && scanner.is_at_end_of_line())
+          scanner.fail("element " + std::to_string(number) + " has " +
+                       std::to_string(&node - nodes.data()) + " nodes; " +
+                       element_types()[type].plural() + " have " +
+                       std::to_string(nodes.size()));
         const long tag = (version < 3. ? small_integer("a node of an element")
                                        : large_integer("a node of an element"));
         if (!numbers.find(tag, node))
@@ -40,7 +47,9 @@ namespace stickslip
       }
     try
       {
-        return file.add_element(type, nodes);
+        return file.add_element(
+          type,
+          nodes_in_order(nodes, node_order_of_gmsh(element_types()[type])));
       }
     catch (const MeshFileError &error)
       {

@@ -89,6 +89,17 @@ namespace stickslip
 
 
 
+  bool
+  MeshScanner::is_at_end_of_line()
+  {
+    while (position < text.size() && text[position] != '\n' &&
+           is_blank(text[position]))
+      ++position;
+    return position == text.size() || text[position] == '\n';
+  }
+
+
+
   std::string_view
   MeshScanner::word(const std::string &what)
   {

@@ -31,8 +31,8 @@ namespace stickslip
   bool
   is_simplex(const ElementShape shape);
 
-  /// A shape with a number of nodes, and what formats call it. The first nodes
-  /// are the vertices, in the order that Gmsh, Abaqus and VTK have in common.
+  /// A shape with a number of nodes, and what formats call it. Nodes are in the
+  /// order of VTK: the vertices, then the middles of edges, faces and cell.
   struct MeshElementType
   {
     ElementShape shape;
@@ -67,6 +67,25 @@ namespace stickslip
   /// Index of the type, or -1.
   int
   element_type_of(const ElementShape shape, const unsigned int n_nodes);
+
+  /// Which node of Gmsh's or Abaqus' list each node is; empty if their order is
+  /// that of VTK.
+  const std::vector<unsigned int> &
+  node_order_of_gmsh(const MeshElementType &type);
+
+  const std::vector<unsigned int> &
+  node_order_of_abaqus(const MeshElementType &type);
+
+  /// The nodes of an element in the order of VTK. @p order is one of the above.
+  std::vector<unsigned int>
+  nodes_in_order(const std::vector<unsigned int> &nodes,
+                 const std::vector<unsigned int> &order);
+
+  /// The vertices in whose middle each node lies if the element is straight:
+  /// one for a vertex, two for the node of an edge, and so on. Only of
+  /// triangles, quadrilaterals, tetrahedra and hexahedra.
+  std::vector<std::vector<unsigned int>>
+  vertices_around_nodes(const MeshElementType &type);
 
   /// Vertices of the sides of @p shape, side 1 first, in Abaqus' numbering
   /// (S1, S2, ...). Empty for lines and points.

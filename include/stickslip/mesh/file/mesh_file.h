@@ -71,8 +71,8 @@ namespace stickslip
     }
 
     /// Appends an element of the type @p type (an index into element_types())
-    /// that belongs to no group, and returns its index. Throws MeshFileError
-    /// if a node occurs twice.
+    /// with @p nodes in its order that belongs to no group, and returns its
+    /// index. Throws MeshFileError if a node occurs twice.
     std::size_t
     add_element(const unsigned int               type,
                 const std::vector<unsigned int> &nodes);

@@ -56,6 +56,10 @@ namespace stickslip
     std::string_view
     rest_of_line();
 
+    /// True if nothing but blanks follows on the present line.
+    bool
+    is_at_end_of_line();
+
     /// Passes over @p mark, to be found from here on; false if it is not there.
     bool
     skip_behind(const std::string_view mark);
