@@ -18,6 +18,7 @@ SHORTER = {
     "bolted_joint": {"Load stepping/Initial step": 0.5},
     "cylinder": {"Load stepping/Initial step": 1},
     "folding_strip": {"Bodies/strip/Arguments": "120, 3 : 0, -0.1 : 6, 0.1 : true", "Load stepping/End time": 0.95},
+    "drawing": {"Load stepping/End time": 0.15},
     "fretting": {"Load stepping/Initial step": 0.5},
     "indentation": {"Bodies/block/Arguments": "0 |9| 6 |6, 10| 40 : 0 |6, 0.1| 26 |6| 30", "Load stepping/Initial step": 0.05},
     "ironing": {"Bodies/strip/Arguments": "30, 6 : 0, 0 : 60, 12 : true", "Load stepping/Initial step": 0.1},

@@ -16,6 +16,12 @@ namespace stickslip
 {
   namespace
   {
+    /// Iterations without progress that are left alone, as long as no cycle is
+    /// proven: many steps find their way by themselves.
+    constexpr unsigned int patience = 4;
+
+
+
     /// The equations of a step as Newton's method sees them in an attempt.
     template <int dim>
     class StepNewtonProblem : public NewtonProblem
@@ -44,6 +50,8 @@ namespace stickslip
       {
         cycle_treatment.begin_solve();
         continuation.end();
+        n_stagnating      = 0;
+        has_treated_cycle = false;
       }
 
       void
@@ -125,13 +133,16 @@ namespace stickslip
         if (continuation.acts())
           return continuation.advance() ? law_has_changed()
                                         : CycleTreatment::none;
-        if (stagnates && cycle_treatment.may_round_corners() &&
+        n_stagnating = stagnates ? n_stagnating + 1 : 0;
+        if ((n_stagnating >= patience || (stagnates && has_treated_cycle)) &&
+            cycle_treatment.may_round_corners() &&
             increment_solver == IncrementSolver::linear_system &&
             continuation.begin())
           return law_has_changed();
         const CycleTreatment treatment = cycle_treatment.observe(stagnates);
         if (cycle_treatment.last_report())
           log.cycle_treatment(*cycle_treatment.last_report());
+        has_treated_cycle |= treatment == CycleTreatment::treated;
         return treatment;
       }
 
@@ -154,6 +165,8 @@ namespace stickslip
       ConvergenceLog            &log;
       const StopRequests        &stop_requests;
       LawContinuation<dim>       continuation;
+      unsigned int               n_stagnating      = 0; ///< iterations in a row
+      bool                       has_treated_cycle = false; ///< in this solve
 
       CycleTreatment
       law_has_changed()
