@@ -96,11 +96,12 @@ namespace stickslip
                       "displacement on the axis is zero of itself. Forces, "
                       "areas and works are those of the whole bodies (2 pi).",
                       Patterns::Bool());
-    prm.add_parameter("Degree",
-                      degree,
-                      "Polynomial degree of the displacement, and of the sides of "
-                      "the cells where bodies are curved.",
-                      Patterns::Integer(1, 6));
+    prm.add_parameter(
+      "Degree",
+      degree,
+      "Polynomial degree of the displacement, and of the sides of "
+      "the cells where bodies are curved.",
+      Patterns::Integer(1, 6));
     add_named_list(prm, "Bodies", bodies);
     add_named_list(prm, "Materials", materials);
     add_named_list(prm, "Amplitudes", amplitudes);

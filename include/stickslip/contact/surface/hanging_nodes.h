@@ -63,8 +63,8 @@ namespace stickslip
 
 
   /// The node of a face at the vertex that its cell shares with its parent, or
-  /// an invalid one: no parent, or not on the face, or of a simplex. All hanging
-  /// nodes of a boundary face are on its edges through that vertex.
+  /// an invalid one: no parent, or not on the face. All hanging nodes of a
+  /// boundary face are on its edges through that vertex.
   template <int dim>
   types::global_dof_index
   node_shared_with_parent(const CollectedFace<dim> &face);
