@@ -138,7 +138,10 @@ namespace stickslip
             cycle_treatment.may_round_corners() &&
             increment_solver == IncrementSolver::linear_system &&
             continuation.begin())
-          return law_has_changed();
+          {
+            cycle_treatment.release();
+            return law_has_changed();
+          }
         const CycleTreatment treatment = cycle_treatment.observe(stagnates);
         if (cycle_treatment.last_report())
           log.cycle_treatment(*cycle_treatment.last_report());

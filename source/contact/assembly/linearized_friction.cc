@@ -1,6 +1,7 @@
 #include <stickslip/contact/assembly/linearized_friction.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace stickslip
 {
