@@ -44,16 +44,6 @@ namespace stickslip
         , continuation(problem.contact())
       {}
 
-      /// A solve begins.
-      void
-      begin_solve()
-      {
-        cycle_treatment.begin_solve();
-        continuation.end();
-        n_stagnating      = 0;
-        has_treated_cycle = false;
-      }
-
       void
       accept_iterate(const LA::BlockVector &x) override
       {
@@ -124,6 +114,11 @@ namespace stickslip
       report(const unsigned int     iteration,
              const NewtonIteration &state) override
       {
+        if (iteration == 0)
+          {
+            n_stagnating      = 0;
+            has_treated_cycle = false;
+          }
         log.newton_iteration(iteration, state);
       }
 
@@ -304,7 +299,8 @@ namespace stickslip
       make_loops(
         strategy, parameters.algorithm, problem.quantities(), problem.counts),
       [&](LA::BlockVector &state) {
-        newton_problem.begin_solve();
+        cycle_treatment.begin_solve();
+        problem.contact().rounding = LawRounding();
         newton_solver.solve(state);
       },
       [this](const std::string &quantity,

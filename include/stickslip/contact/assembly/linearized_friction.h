@@ -7,6 +7,8 @@
 
 #include <stickslip/contact/surface/multiplier_numbering.h>
 
+#include <vector>
+
 namespace stickslip
 {
   /**
