@@ -7,6 +7,13 @@ namespace stickslip
 {
   namespace
   {
+    /// A point that has slipped begins the next step with |Lambda| = 1 and no
+    /// slip: it sticks, and roundoff (another number of ranks, a restart) has
+    /// no say.
+    constexpr double roundoff_of_disc = 1e-12;
+
+
+
     /// s at the point, from lambda_n and from min(lambda_n - r_n d_n, 0).
     double
     threshold_value(const FrictionThreshold &threshold,
@@ -75,7 +82,7 @@ namespace stickslip
            const Tensor<1, dim> &d_t,
            const Regularization &r)
   {
-    return (Lambda + r.r_t_status * d_t).norm() <= 1.;
+    return (Lambda + r.r_t_status * d_t).norm() <= 1. + roundoff_of_disc;
   }
 
 

@@ -98,7 +98,7 @@ namespace stickslip
   bool
   is_closed(const double lambda_n, const double d_n, const Regularization &r);
 
-  /// S_f = [|Lambda + r_t^{Sf} d_t| <= 1].
+  /// S_f = [|Lambda + r_t^{Sf} d_t| <= 1], up to roundoff.
   template <int dim>
   bool
   is_stick(const Tensor<1, dim> &Lambda,
