@@ -33,7 +33,8 @@ namespace stickslip
     std::vector<unsigned int> nodes(element_types()[type].n_nodes);
     for (unsigned int &node : nodes)
       {
-        if (!is_binary && scanner.is_at_end_of_line())
+        // a file that ends here says so itself
+        if (!is_binary && scanner.is_at_end_of_line() && !scanner.is_at_end())
           scanner.fail("element " + std::to_string(number) + " has " +
                        std::to_string(&node - nodes.data()) + " nodes; " +
                        element_types()[type].plural() + " have " +
