@@ -54,9 +54,9 @@ namespace stickslip
       {
         if (parameter.documentation.size() < shortest_to_refer_to)
           return "";
-        const auto inserted = sections.insert({{parameter.name,
-                                                parameter.allowed_values(),
-                                                parameter.documentation},
+        const auto inserted = sections.insert({{{parameter.name,
+                                                 parameter.allowed_values(),
+                                                 parameter.documentation}},
                                                section});
         return inserted.second ? "" : inserted.first->second;
       }

@@ -206,22 +206,25 @@ namespace stickslip
       higher_order_cells && degree > 1 && !cell.is_simplex();
     data_out.set_flags(flags);
 
-    const auto build_patches = [&](const Mapping<dim> &shape) {
-      data_out.build_patches(shape, degree, DataOut<dim>::curved_inner_cells);
-    };
+    constexpr auto curved = DataOut<dim>::curved_inner_cells;
     if (!deformed)
-      build_patches(mapping);
+      data_out.build_patches(mapping, degree, curved);
     else if (cell.is_simplex() ||
              dof_handler.get_triangulation().has_hanging_nodes())
       {
         const LA::Vector positions =
           nodal_positions(mapping, dof_handler, displacement);
-        build_patches(
-          MappingFEField<dim, dim, LA::Vector>(dof_handler, positions));
+        data_out.build_patches(MappingFEField<dim, dim, LA::Vector>(dof_handler,
+                                                                    positions),
+                               degree,
+                               curved);
       }
     else
-      build_patches(
-        MappingQEulerian<dim, LA::Vector>(degree, dof_handler, displacement));
+      data_out.build_patches(MappingQEulerian<dim, LA::Vector>(degree,
+                                                               dof_handler,
+                                                               displacement),
+                             degree,
+                             curved);
     if (cell.is_simplex() && degree > 1)
       data_out.cut_quadratic_simplices();
     data_out.clear_input_data_references(); // the patches have the values

@@ -124,7 +124,7 @@ namespace contact_test
     ThresholdKind threshold = ThresholdKind::augmented; // if live
     bool          friction  = true;
     bool          closed    = false; // if the status is frozen
-    LawRounding   rounding;
+    LawRounding   rounding  = {};
   };
 
 

@@ -133,8 +133,13 @@ namespace
   {
     const TiedMembranes open(false), closed(true);
     OverlappingParts    parts(largest);
-    parts.factorise(open.matrix, open.is_multiplier, true);
-    parts.factorise(closed.matrix, closed.is_multiplier, false);
+    for (const bool is_first : {true, false})
+      {
+        const TiedMembranes     &tied = is_first ? open : closed;
+        const FactorizationError error =
+          parts.factorise(tied.matrix, tied.is_multiplier, is_first);
+        AssertThrow(!error, ExcInternalError());
+      }
     LA::Vector x(closed.b);
     x = 0.;
     SolverControl            control(100, 1e-10 * closed.b.l2_norm());

@@ -39,7 +39,7 @@ namespace
 
 
 
-  BodyParameters
+  [[maybe_unused]] BodyParameters
   generated(const std::string &generator, const std::string &arguments)
   {
     BodyParameters body;

@@ -22,7 +22,8 @@ namespace stickslip
     std::string         body;
     std::vector<double> position; ///< in the undeformed body
     bool                material_state = false;
-    std::string contact_pair; ///< whose slave surface it is on; empty: none
+    /// Whose slave surface it is on; empty: none.
+    std::string contact_pair = {};
 
     void
     add_parameters(ParameterHandler &prm);
