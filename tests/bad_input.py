@@ -2,7 +2,7 @@
 """Wrong input has to end in one clear message, on any number of ranks.
 
 Each case is a file of application/data/ with some parameters changed
-(bad_problems.py, bad_runs.py), or a command line. The program has to exit with
+(bad_problems.py, bad_materials.py, ..., bad_runs.py), or a command line. The program has to exit with
 the expected code and to print, once, the expected words, and nothing that looks
 like a crash. What the reader of parameter files finds, which one rank does, is
 tried on several ranks for every eleventh input only: a start of mpirun takes a second.
@@ -19,6 +19,7 @@ import tempfile
 
 import bad_adaptations
 import bad_bolts
+import bad_materials
 import bad_motions
 import bad_problems
 import bad_runs
@@ -26,8 +27,8 @@ import bad_tools
 from bad_words import HERE, WRONG_INPUT
 from program_runs import environment_of
 
-CASES = {**bad_problems.CASES, **bad_motions.CASES, **bad_adaptations.CASES, **bad_tools.CASES, **bad_bolts.CASES,
-         **bad_runs.CASES}
+CASES = {**bad_problems.CASES, **bad_materials.CASES, **bad_motions.CASES, **bad_adaptations.CASES, **bad_tools.CASES,
+         **bad_bolts.CASES, **bad_runs.CASES}
 CRASH = ["backtrace", "segmentation", "signal", "aborted", "internal error", "terminate called", "an error occurred in line", "stacktrace"]
 
 
