@@ -8,6 +8,7 @@
 
 #include <stickslip/strategy/nested_fixed_point.h>
 #include <stickslip/strategy/newton_solver.h>
+#include <stickslip/strategy/residual_monitors.h>
 #include <stickslip/strategy/solution_strategy.h>
 
 #include <string>
@@ -66,6 +67,7 @@ namespace stickslip
         state.contact     = norms.contact;
         state.prescribed  = norms.prescribed;
         state.merit       = norms.merit;
+        last_merit        = norms.merit;
         continuation.observe(norms.merit);
         return state;
       }
@@ -118,6 +120,7 @@ namespace stickslip
           {
             n_stagnating      = 0;
             has_treated_cycle = false;
+            descent           = DescentMonitor();
           }
         log.newton_iteration(iteration, state);
       }
@@ -125,12 +128,13 @@ namespace stickslip
       CycleTreatment
       treat_cycle(const bool stagnates) override
       {
+        descent.add(last_merit);
         if (continuation.acts())
           return continuation.advance() ? law_has_changed()
                                         : CycleTreatment::none;
         n_stagnating = stagnates ? n_stagnating + 1 : 0;
         if ((n_stagnating >= patience || (stagnates && has_treated_cycle)) &&
-            cycle_treatment.may_round_corners() &&
+            !descent.descends() && cycle_treatment.may_round_corners() &&
             increment_solver == IncrementSolver::linear_system &&
             continuation.begin())
           {
@@ -165,6 +169,8 @@ namespace stickslip
       LawContinuation<dim>       continuation;
       unsigned int               n_stagnating      = 0; ///< iterations in a row
       bool                       has_treated_cycle = false; ///< in this solve
+      DescentMonitor             descent;
+      double                     last_merit = 0.; ///< of the last residual
 
       CycleTreatment
       law_has_changed()

@@ -1,14 +1,16 @@
 #include <stickslip/strategy/globalization.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace stickslip
 {
   namespace
   {
     /// Full steps of a look ahead.
-    constexpr unsigned int longest_look_ahead = 4;
+    constexpr unsigned int longest_look_ahead = 8;
   } // namespace
 
 
@@ -53,7 +55,8 @@ namespace stickslip
     if (found.is_good || found.state.step_length == 1. || !may_look_ahead ||
         !found.full_step_is_admissible)
       return found.state;
-    alternative = Alternative{x, found.state.merit, found.state.step_length, 1};
+    alternative =
+      Alternative{x, found.state.merit, found.state.step_length, 1, 0.};
     full_step += increment;
     x = full_step;
     return state_at(problem, 1., x);
@@ -76,7 +79,9 @@ namespace stickslip
             alternative.reset();
             return state;
           }
-        if (state.merit < before.merit &&
+        const double last =
+          std::exchange(alternative->last_merit, before.merit);
+        if (state.merit < std::max(last, before.merit) &&
             ++alternative->steps_ahead < longest_look_ahead)
           return state;
       }

@@ -9,6 +9,13 @@ namespace stickslip
   {
     /// Growth of the residual beyond which an iteration diverges.
     constexpr double divergence_factor = 1e12;
+
+    /// Iterations whose smallest merits are compared: cycles of two and three
+    /// states are as long at most.
+    constexpr unsigned int n_compared = 3;
+
+    /// Share that is a descent.
+    constexpr double clearly_smaller = 0.7;
   } // namespace
 
 
@@ -42,6 +49,28 @@ namespace stickslip
   StagnationMonitor::stagnates() const
   {
     return count >= window.iterations;
+  }
+
+
+
+  void
+  DescentMonitor::add(const double merit)
+  {
+    last.push_back(merit);
+    if (last.size() > 2 * n_compared)
+      last.pop_front();
+  }
+
+
+
+  bool
+  DescentMonitor::descends() const
+  {
+    if (last.size() < 2 * n_compared)
+      return false;
+    const auto middle = last.begin() + n_compared;
+    return *std::min_element(middle, last.end()) <
+           clearly_smaller * *std::min_element(last.begin(), middle);
   }
 
 

@@ -4,6 +4,7 @@
 #include "print.h"
 
 #include <stickslip/strategy/forcing_term.h>
+#include <stickslip/strategy/globalization.h>
 #include <stickslip/strategy/line_search.h>
 #include <stickslip/strategy/newton_solver.h>
 #include <stickslip/strategy/residual_monitors.h>
@@ -397,6 +398,73 @@ namespace
 
 
 
+  /// Steps of length one have the merits of a list; every fraction of the first
+  /// makes the merit grow, too.
+  class ListedMerits : public NewtonProblem
+  {
+  public:
+    explicit ListedMerits(const std::vector<double> &merits)
+      : merits(merits)
+    {}
+
+    NewtonIteration
+    residual(const LA::BlockVector &x) override
+    {
+      const double    u = x.block(0)(0);
+      const auto      i = static_cast<unsigned int>(u);
+      NewtonIteration state;
+      state.merit = u == i ? merits[std::min<std::size_t>(i, merits.size() - 1)]
+                           : merits[0] * (1. + u);
+      state.equilibrium = state.contact = state.merit;
+      return state;
+    }
+
+    void
+    solve_increment(const LA::BlockVector &,
+                    const double,
+                    LA::BlockVector &increment) override
+    {
+      increment          = 0.;
+      increment.block(0) = 1.;
+    }
+
+  private:
+    const std::vector<double> merits;
+  };
+
+
+
+  void
+  test_ways_ahead()
+  {
+    std::cout << "Merits of full steps: where seven iterations end\n";
+    const IndexSet entry = complete_index_set(1);
+    // each smaller; once larger than the one before; larger than the two
+    // before, and so it goes back; no end
+    for (const auto &merits : {std::vector<double>{1., 3., 2., 0.5},
+                               {1., 3., 2., 2.5, 2.4, 0.5},
+                               {1., 3., 2., 3.1, 0.5},
+                               {1., 3., 2.9, 2.8, 2.7, 2.6, 2.5, 2.4, 2.3, 0.}})
+      {
+        LA::BlockVector  x({entry, entry}, MPI_COMM_SELF);
+        LA::BlockVector  increment(x);
+        NewtonParameters parameters;
+        ListedMerits     problem(merits);
+        Globalization    globalization(parameters, problem);
+        NewtonIteration  state = problem.residual(x);
+        std::cout << "  ";
+        for (unsigned int i = 0; i < 9 && state.merit >= 1.; ++i)
+          {
+            problem.solve_increment(x, 0., increment);
+            state = globalization.advance(state, increment, x);
+            std::cout << ' ' << value_of(x);
+          }
+        std::cout << '\n';
+      }
+  }
+
+
+
   void
   test_look_ahead()
   {
@@ -405,7 +473,7 @@ namespace
     NewtonParameters parameters;
     parameters.max_iterations = 7;
     // the second step solves it; the steps after it reduce the residual enough;
-    // too slowly; not at all, so that it goes back to 1/32
+    // slowly; not at all, so that it goes back to 1/32
     for (const double bend : {1., 0.95, 0.3, -1.})
       {
         LA::BlockVector x({entry, entry}, MPI_COMM_SELF);
@@ -801,6 +869,19 @@ namespace
         seen += monitor.stagnates() ? '1' : '0';
       }
     std::cout << "  5 4 3.7 3.65 3.2 3.3 3.1: " << seen << '\n';
+    // a cycle of three after a start below it; a transient that comes down
+    for (const auto &merits : {std::vector<double>{1., 5., 4., 6., 5., 4., 6.},
+                               {1., 5., 5., 4., 3.9, 3., 2.6}})
+      {
+        DescentMonitor descent;
+        std::cout << "  descends:";
+        for (const double merit : merits)
+          {
+            descent.add(merit);
+            std::cout << ' ' << descent.descends();
+          }
+        std::cout << '\n';
+      }
     DivergenceMonitor divergence(1e-3);
     divergence.add(1e6);
     divergence.add(0.9e18);
@@ -822,6 +903,7 @@ main(int argc, char *argv[])
   test_failures();
   test_no_fraction_decreases();
   test_look_ahead();
+  test_ways_ahead();
   test_merit();
   test_inadmissible_states();
   test_prescribed();

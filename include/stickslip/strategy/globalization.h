@@ -16,9 +16,11 @@ namespace stickslip
    * good, a look ahead. Along a curved valley (bodies that hardly change their
    * volume and turn) every fraction of the increment makes the residual grow,
    * however short, while the increments after the full step take it back to
-   * less than before. So the full step is taken, and up to three more as long
-   * as each reduces the residual. Unless it falls below that of the best
-   * fraction, the iterate goes back to this one, and looks ahead no more.
+   * less than before; so it is where many points that were about to slip are
+   * to turn round. So the full step is taken, and up to seven more as long as
+   * each has a smaller residual than one of the two before it. Unless it falls
+   * below that of the best fraction, the iterate goes back to this one, and
+   * looks ahead no more.
    */
   class Globalization
   {
@@ -45,6 +47,7 @@ namespace stickslip
       double          merit;
       double          step_length;
       unsigned int    steps_ahead; ///< full steps taken since
+      double          last_merit;  ///< of the iterate before the last
     };
 
     const NewtonParameters    &parameters;

@@ -3,6 +3,7 @@
 
 #include <stickslip/strategy/newton_problem.h>
 
+#include <deque>
 #include <limits>
 
 namespace stickslip
@@ -40,6 +41,25 @@ namespace stickslip
     StagnationWindow window;
     double           smallest = std::numeric_limits<double>::max();
     unsigned int     count    = 0; ///< iterations without a clear reduction
+  };
+
+
+
+  /// Sees whether the last iterations are on their way down, wherever the
+  /// residual was before: a transient that goes far up first is no stagnation.
+  class DescentMonitor
+  {
+  public:
+    void
+    add(const double merit);
+
+    /// The smallest of the last few is clearly smaller than that of as many
+    /// before them.
+    bool
+    descends() const;
+
+  private:
+    std::deque<double> last; ///< the newest at the end
   };
 
 
