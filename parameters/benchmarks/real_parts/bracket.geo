@@ -125,6 +125,7 @@ Physical Surface("ground")     = Surface In BoundingBox{-100, -e, -20 - e, 100, 
 Physical Surface("symmetry")   = Surface In BoundingBox{-100, -e, -100, 100, e, 100};
 
 Mesh.ElementOrder = 2;
+Mesh.HighOrderOptimize = 1;
 Mesh.RecombinationAlgorithm = 3; // quadrilaterals only
 Mesh.MeshSizeMin = size;
 Mesh.MeshSizeMax = size;

@@ -166,6 +166,7 @@ Physical Surface("oblique")     = {oblique()};
 Physical Surface("through bolt") = Surface In BoundingBox{0, -e, -1000, 1000, e, 1000};
 
 Mesh.ElementOrder = 2;
+Mesh.HighOrderOptimize = 1;
 Mesh.RecombinationAlgorithm = 3; // quadrilaterals only
 Mesh.MeshSizeMin = size;
 Mesh.MeshSizeMax = size;

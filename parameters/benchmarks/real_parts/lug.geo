@@ -69,6 +69,7 @@ Physical Surface("symmetry y") = Surface In BoundingBox{-100, -e, -e, 100, e, 10
 Physical Surface("symmetry z") = Surface In BoundingBox{-100, -e, -e, 100, 100, e};
 
 Mesh.ElementOrder = 2;
+Mesh.HighOrderOptimize = 1;
 Mesh.RecombinationAlgorithm = 3; // quadrilaterals only
 MeshSize{PointsOf{ Surface{hole(), shaft()}; }} = size/2;
 Mesh.MeshSizeFromPoints = 1;
