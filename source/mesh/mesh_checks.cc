@@ -72,9 +72,12 @@ namespace stickslip
     class PlacesToLook
     {
     public:
-      explicit PlacesToLook(const ReferenceCell &cell)
-        : inside(cell_quadrature<dim>(cell, 2).get_points())
+      explicit PlacesToLook(const QuadraticCells<dim> &cells)
       {
+        const ReferenceCell   cell       = cells.element().reference_cell();
+        const Quadrature<dim> quadrature = cell_quadrature<dim>(cell, 2);
+        for (const Point<dim> &place : quadrature.get_points())
+          inside.push_back({place, cells.gradients(place)});
         constexpr unsigned int n_parts = 4; // of an edge
         for (unsigned int i = 0; i < std::pow(n_parts + 1, dim); ++i)
           {
@@ -85,7 +88,7 @@ namespace stickslip
                 rest /= n_parts + 1;
               }
             if (distance_to_unit_cell(cell, place) < 1e-12)
-              everywhere.push_back(place);
+              everywhere.push_back({place, cells.gradients(place)});
           }
       }
 
@@ -98,35 +101,42 @@ namespace stickslip
         constexpr double roundoff = 1e-10;
         // Cells with the other orientation are no bad ones: readers turn them.
         double sum = 0., largest = 0.;
-        for (const Point<dim> &place : inside)
+        for (const Place &place : inside)
           {
-            const double jacobian = determinant(cells.jacobian(cell, place));
+            const double jacobian =
+              determinant(cells.jacobian(cell, place.gradients));
             sum += jacobian;
             largest = std::max(largest, std::abs(jacobian));
           }
         const double              sign     = sum < 0. ? -1. : 1.;
         double                    smallest = -roundoff * largest;
         std::optional<Point<dim>> worst;
-        const auto                look_at = [&](const Point<dim> &place) {
+        const auto                look_at = [&](const Place &place) {
           const double jacobian =
-            sign * determinant(cells.jacobian(cell, place));
+            sign * determinant(cells.jacobian(cell, place.gradients));
           if (!(jacobian >= smallest)) // also if it is no number
             {
               smallest = jacobian;
-              worst    = place;
+              worst    = place.unit;
             }
         };
-        for (const Point<dim> &place : everywhere)
+        for (const Place &place : everywhere)
           look_at(place);
         if (!worst)
           smallest = roundoff * largest;
-        for (const Point<dim> &place : inside)
+        for (const Place &place : inside)
           look_at(place);
         return worst;
       }
 
     private:
-      std::vector<Point<dim>> inside, everywhere;
+      struct Place
+      {
+        Point<dim>                  unit;
+        std::vector<Tensor<1, dim>> gradients;
+      };
+
+      std::vector<Place> inside, everywhere;
     };
   } // namespace
 
@@ -201,7 +211,7 @@ namespace stickslip
   CellsInsideOut<dim>
   cells_inside_out(const QuadraticCells<dim> &cells)
   {
-    const PlacesToLook<dim> places(cells.element().reference_cell());
+    const PlacesToLook<dim> places(cells);
     CellsInsideOut<dim>     bad;
     for (std::size_t cell = 0; cell < cells.size(); ++cell)
       if (const auto worst = places.bad_one(cells, cell))

@@ -51,15 +51,59 @@ namespace stickslip
 
 
   template <int dim>
+  std::vector<Tensor<1, dim>>
+  QuadraticCells<dim>::gradients(const Point<dim> &unit) const
+  {
+    std::vector<Tensor<1, dim>> result;
+    for (unsigned int i = 0; i < fe->n_dofs_per_cell(); ++i)
+      result.push_back(fe->shape_grad(i, unit));
+    return result;
+  }
+
+
+
+  template <int dim>
   Tensor<2, dim>
-  QuadraticCells<dim>::jacobian(const std::size_t cell,
-                                const Point<dim> &unit) const
+  QuadraticCells<dim>::jacobian(
+    const std::size_t                  cell,
+    const std::vector<Tensor<1, dim>> &gradients) const
   {
     Tensor<2, dim> result;
     for (unsigned int i = 0; i < fe->n_dofs_per_cell(); ++i)
-      result +=
-        outer_product(Tensor<1, dim>(node(cell, i)), fe->shape_grad(i, unit));
+      result += outer_product(Tensor<1, dim>(node(cell, i)), gradients[i]);
     return result;
+  }
+
+
+
+  template <int dim>
+  std::optional<unsigned int>
+  QuadraticCells<dim>::node_at(const std::size_t cell,
+                               const Point<dim> &x) const
+  {
+    // Far above the roundoff of moved bodies, far below any refinement.
+    constexpr double distance_to_node = 1e-10; // of the cell's size
+
+    const unsigned int nearest = nearest_node(cell, x);
+    const double       size    = node(cell, 0).distance(node(cell, 1));
+    if (x.distance(node(cell, nearest)) < distance_to_node * size)
+      return nearest;
+    return {};
+  }
+
+
+
+  template <int dim>
+  unsigned int
+  QuadraticCells<dim>::nearest_node(const std::size_t cell,
+                                    const Point<dim> &x) const
+  {
+    unsigned int nearest = 0;
+    for (unsigned int i = 1; i < fe->n_dofs_per_cell(); ++i)
+      if (x.distance_square(node(cell, i)) <
+          x.distance_square(node(cell, nearest)))
+        nearest = i;
+    return nearest;
   }
 
 
@@ -69,20 +113,10 @@ namespace stickslip
   QuadraticCells<dim>::unit_position(const std::size_t cell,
                                      const Point<dim> &x) const
   {
-    // Far above the roundoff of moved bodies, far below any refinement.
-    constexpr double distance_to_node = 1e-10; // of the cell's size
-
-    const unsigned int n       = fe->n_dofs_per_cell();
-    unsigned int       nearest = 0;
-    for (unsigned int i = 1; i < n; ++i)
-      if (x.distance(node(cell, i)) < x.distance(node(cell, nearest)))
-        nearest = i;
-    const double size = node(cell, 0).distance(node(cell, 1));
-    if (x.distance(node(cell, nearest)) < distance_to_node * size)
-      return fe->unit_support_point(nearest);
-
+    if (const auto i = node_at(cell, x))
+      return fe->unit_support_point(*i);
     for (const Point<dim> &start :
-         {fe->unit_support_point(nearest),
+         {fe->unit_support_point(nearest_node(cell, x)),
           fe->reference_cell().template barycenter<dim>()})
       if (const auto unit = unit_position_from(cell, x, start))
         return unit;
@@ -106,7 +140,7 @@ namespace stickslip
     for (unsigned int iteration = 0; iteration < most_iterations; ++iteration)
       {
         const Tensor<1, dim> step =
-          invert(jacobian(cell, unit)) * (x - position(cell, unit));
+          invert(jacobian(cell, gradients(unit))) * (x - position(cell, unit));
         unit += step;
         // also if it is no number, where the Jacobian is singular
         if (!(distance_to_unit_cell(fe->reference_cell(), unit) < far_away))

@@ -58,23 +58,40 @@ namespace stickslip
               [](const BoxOfCell &a, const BoxOfCell &b) {
                 return a.second < b.second;
               });
-    UnitPoints result;
-    for (const auto &candidate : candidates)
-      {
-        result.cell = candidate.second;
-        result.points.clear();
-        for (const Point<dim> &point : points)
-          if (const auto unit = cells->unit_position(result.cell, point))
-            result.points.push_back(*unit);
-          else
-            break;
-        if (result.points.size() == points.size())
-          return result;
-      }
+    const auto all_in = [&](const std::size_t cell, const auto &unit_position) {
+      UnitPoints result{cell, {}};
+      for (const Point<dim> &point : points)
+        if (const auto unit = unit_position(point))
+          result.points.push_back(*unit);
+        else
+          break;
+      return result;
+    };
+    const auto is_complete = [&](const UnitPoints &found) {
+      return found.points.size() == points.size();
+    };
+    // Sides of the mesh as it was read end at nodes, which is quickly seen.
+    for (const auto &[box_of_cell, cell] : candidates)
+      if (const UnitPoints found = all_in(
+            cell,
+            [&, c = cell](const Point<dim> &x) -> std::optional<Point<dim>> {
+              if (const auto node = cells->node_at(c, x))
+                return cells->element().unit_support_point(*node);
+              return {};
+            });
+          is_complete(found))
+        return found;
+    for (const auto &[box_of_cell, cell] : candidates)
+      if (const UnitPoints found = all_in(cell,
+                                          [&, c = cell](const Point<dim> &x) {
+                                            return cells->unit_position(c, x);
+                                          });
+          is_complete(found))
+        return found;
     AssertThrow(false,
                 ExcMessage("No curved cell has all points of a side or cell "
                            "of the mesh."));
-    return result;
+    return {};
   }
 
 

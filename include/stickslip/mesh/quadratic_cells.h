@@ -64,9 +64,20 @@ namespace stickslip
     Point<dim>
     position(const std::size_t cell, const Point<dim> &unit) const;
 
-    /// The derivatives of position(): jacobian[i][j] = dx_i / dunit_j.
+    /// The gradients of the shape functions at a point of the unit cell, for
+    /// places that are looked at in many cells.
+    std::vector<Tensor<1, dim>>
+    gradients(const Point<dim> &unit) const;
+
+    /// The derivatives of position() where the shape functions have these
+    /// gradients: jacobian[i][j] = dx_i / dunit_j.
     Tensor<2, dim>
-    jacobian(const std::size_t cell, const Point<dim> &unit) const;
+    jacobian(const std::size_t                  cell,
+             const std::vector<Tensor<1, dim>> &gradients) const;
+
+    /// The node of the cell that is at @p x up to roundoff, if one is.
+    std::optional<unsigned int>
+    node_at(const std::size_t cell, const Point<dim> &x) const;
 
     /// The point of the unit cell that is at @p x, which position() gives back
     /// up to roundoff; nothing if @p x lies outside of the cell. Of a node it
@@ -81,6 +92,9 @@ namespace stickslip
   private:
     std::unique_ptr<FiniteElement<dim>> fe;
     std::vector<Point<dim>>             nodes; ///< cell after cell
+
+    unsigned int
+    nearest_node(const std::size_t cell, const Point<dim> &x) const;
 
     std::optional<Point<dim>>
     unit_position_from(const std::size_t cell,
