@@ -1,9 +1,7 @@
 #include <stickslip/strategy/globalization.h>
 
-#include <algorithm>
 #include <limits>
 #include <string>
-#include <utility>
 
 namespace stickslip
 {
@@ -56,7 +54,7 @@ namespace stickslip
         !found.full_step_is_admissible)
       return found.state;
     alternative =
-      Alternative{x, found.state.merit, found.state.step_length, 1, 0.};
+      Alternative{x, found.state.merit, found.state.step_length, 1, 0., false};
     full_step += increment;
     x = full_step;
     return state_at(problem, 1., x);
@@ -79,10 +77,13 @@ namespace stickslip
             alternative.reset();
             return state;
           }
-        const double last =
-          std::exchange(alternative->last_merit, before.merit);
-        if (state.merit < std::max(last, before.merit) &&
-            ++alternative->steps_ahead < longest_look_ahead)
+        const bool grows = state.merit >= before.merit;
+        const bool may_go_on =
+          !grows ||
+          (!alternative->has_grown && state.merit < alternative->last_merit);
+        alternative->has_grown |= grows;
+        alternative->last_merit = before.merit;
+        if (may_go_on && ++alternative->steps_ahead < longest_look_ahead)
           return state;
       }
     const Alternative back = *alternative;

@@ -439,10 +439,11 @@ namespace
   {
     std::cout << "Merits of full steps: where seven iterations end\n";
     const IndexSet entry = complete_index_set(1);
-    // each smaller; once larger than the one before; larger than the two
-    // before, and so it goes back; no end
+    // each smaller; once larger than the one before; twice, or larger than the
+    // two before, and so it goes back; no end
     for (const auto &merits : {std::vector<double>{1., 3., 2., 0.5},
                                {1., 3., 2., 2.5, 2.4, 0.5},
+                               {1., 3., 2., 2.5, 2.4, 2.45, 0.5},
                                {1., 3., 2., 3.1, 0.5},
                                {1., 3., 2.9, 2.8, 2.7, 2.6, 2.5, 2.4, 2.3, 0.}})
       {

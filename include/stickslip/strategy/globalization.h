@@ -18,9 +18,9 @@ namespace stickslip
    * however short, while the increments after the full step take it back to
    * less than before; so it is where many points that were about to slip are
    * to turn round. So the full step is taken, and up to seven more as long as
-   * each has a smaller residual than one of the two before it. Unless it falls
-   * below that of the best fraction, the iterate goes back to this one, and
-   * looks ahead no more.
+   * each reduces the residual; once it may grow, but not beyond that of two
+   * steps before. Unless it falls below that of the best fraction, the iterate
+   * goes back to this one, and looks ahead no more.
    */
   class Globalization
   {
@@ -48,6 +48,7 @@ namespace stickslip
       double          step_length;
       unsigned int    steps_ahead; ///< full steps taken since
       double          last_merit;  ///< of the iterate before the last
+      bool            has_grown;   ///< the merit, on the way
     };
 
     const NewtonParameters    &parameters;
