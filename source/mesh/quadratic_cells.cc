@@ -77,9 +77,9 @@ namespace stickslip
 
 
   template <int dim>
-  std::optional<unsigned int>
-  QuadraticCells<dim>::node_at(const std::size_t cell,
-                               const Point<dim> &x) const
+  std::optional<Point<dim>>
+  QuadraticCells<dim>::unit_position_of_node(const std::size_t cell,
+                                             const Point<dim> &x) const
   {
     // Far above the roundoff of moved bodies, far below any refinement.
     constexpr double distance_to_node = 1e-10; // of the cell's size
@@ -87,7 +87,7 @@ namespace stickslip
     const unsigned int nearest = nearest_node(cell, x);
     const double       size    = node(cell, 0).distance(node(cell, 1));
     if (x.distance(node(cell, nearest)) < distance_to_node * size)
-      return nearest;
+      return fe->unit_support_point(nearest);
     return {};
   }
 
@@ -113,8 +113,8 @@ namespace stickslip
   QuadraticCells<dim>::unit_position(const std::size_t cell,
                                      const Point<dim> &x) const
   {
-    if (const auto i = node_at(cell, x))
-      return fe->unit_support_point(*i);
+    if (const auto unit = unit_position_of_node(cell, x))
+      return unit;
     for (const Point<dim> &start :
          {fe->unit_support_point(nearest_node(cell, x)),
           fe->reference_cell().template barycenter<dim>()})

@@ -59,36 +59,30 @@ namespace stickslip
               [](const BoxOfCell &a, const BoxOfCell &b) {
                 return a.second < b.second;
               });
-    const auto all_in = [&](const std::size_t cell, const auto &unit_position) {
-      UnitPoints result{cell, {}};
-      for (const Point<dim> &point : points)
-        if (const auto unit = unit_position(point))
-          result.points.push_back(*unit);
-        else
-          break;
-      return result;
-    };
-    const auto is_complete = [&](const UnitPoints &found) {
-      return found.points.size() == points.size();
+    const auto find_cell =
+      [&](const auto &unit_position) -> std::optional<UnitPoints> {
+      for (const auto &candidate : candidates)
+        {
+          UnitPoints found{candidate.second, {}};
+          for (const Point<dim> &point : points)
+            if (const auto unit = unit_position(found.cell, point))
+              found.points.push_back(*unit);
+            else
+              break;
+          if (found.points.size() == points.size())
+            return found;
+        }
+      return {};
     };
     // Sides of the mesh as it was read end at nodes, which is quickly seen.
-    for (const auto &[box_of_cell, cell] : candidates)
-      if (const UnitPoints found = all_in(
-            cell,
-            [&, c = cell](const Point<dim> &x) -> std::optional<Point<dim>> {
-              if (const auto node = cells->node_at(c, x))
-                return cells->element().unit_support_point(*node);
-              return {};
-            });
-          is_complete(found))
-        return found;
-    for (const auto &[box_of_cell, cell] : candidates)
-      if (const UnitPoints found = all_in(cell,
-                                          [&, c = cell](const Point<dim> &x) {
-                                            return cells->unit_position(c, x);
-                                          });
-          is_complete(found))
-        return found;
+    if (const auto found = find_cell([&](const std::size_t c, const auto &x) {
+          return cells->unit_position_of_node(c, x);
+        }))
+      return *found;
+    if (const auto found = find_cell([&](const std::size_t c, const auto &x) {
+          return cells->unit_position(c, x);
+        }))
+      return *found;
     AssertThrow(false,
                 ExcMessage("No curved cell has all points of a side or cell "
                            "of the mesh."));

@@ -67,7 +67,6 @@ namespace stickslip
         state.contact     = norms.contact;
         state.prescribed  = norms.prescribed;
         state.merit       = norms.merit;
-        last_merit        = norms.merit;
         continuation.observe(norms.merit);
         return state;
       }
@@ -128,7 +127,7 @@ namespace stickslip
       CycleTreatment
       treat_cycle(const bool stagnates) override
       {
-        descent.add(last_merit);
+        descent.add(continuation.observed_merit());
         if (continuation.acts())
           return continuation.advance() ? law_has_changed()
                                         : CycleTreatment::none;
@@ -170,7 +169,6 @@ namespace stickslip
       unsigned int               n_stagnating      = 0; ///< iterations in a row
       bool                       has_treated_cycle = false; ///< in this solve
       DescentMonitor             descent;
-      double                     last_merit = 0.; ///< of the last residual
 
       CycleTreatment
       law_has_changed()

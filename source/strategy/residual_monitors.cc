@@ -15,7 +15,7 @@ namespace stickslip
     constexpr unsigned int n_compared = 3;
 
     /// Share that is a descent.
-    constexpr double clearly_smaller = 0.7;
+    constexpr double clearly_smaller = 0.9;
   } // namespace
 
 

@@ -437,7 +437,7 @@ namespace
   void
   test_ways_ahead()
   {
-    std::cout << "Merits of full steps: where seven iterations end\n";
+    std::cout << "Merits of full steps: where the iterations go\n";
     const IndexSet entry = complete_index_set(1);
     // each smaller; once larger than the one before; twice, or larger than the
     // two before, and so it goes back; no end

@@ -75,9 +75,10 @@ namespace stickslip
     jacobian(const std::size_t                  cell,
              const std::vector<Tensor<1, dim>> &gradients) const;
 
-    /// The node of the cell that is at @p x up to roundoff, if one is.
-    std::optional<unsigned int>
-    node_at(const std::size_t cell, const Point<dim> &x) const;
+    /// The point of the unit cell whose node is at @p x up to roundoff, if one
+    /// is.
+    std::optional<Point<dim>>
+    unit_position_of_node(const std::size_t cell, const Point<dim> &x) const;
 
     /// The point of the unit cell that is at @p x, which position() gives back
     /// up to roundoff; nothing if @p x lies outside of the cell. Of a node it

@@ -49,6 +49,12 @@ namespace stickslip
     void
     observe(const double merit);
 
+    double
+    observed_merit() const
+    {
+      return last_merit;
+    }
+
     /// After an iteration: sharper corners if it is time. True if the law is
     /// another one now.
     bool
