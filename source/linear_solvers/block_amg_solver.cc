@@ -118,7 +118,16 @@ namespace stickslip
     augmentation.reinit(system, *description, parameters.augmentation);
     scale_rows();
     if (has_multipliers)
-      interface.factorise(system, new_layout);
+      {
+        interface.factorise(system, new_layout);
+        if (new_layout)
+          {
+            const unsigned int n =
+              product.n_displacements() + product.n_multipliers();
+            correction.assign(n, 0.); // outside of the interface it stays so
+            product.set_part(interface.marks(n));
+          }
+      }
     if (description->near_null_space != near_null_space || rebuild)
       build_hierarchy();
     else
@@ -128,12 +137,15 @@ namespace stickslip
 
 
   void
-  BlockAmgSolver::precondition(OwnedEntries &x, const OwnedEntries &b) const
+  BlockAmgSolver::precondition(OwnedEntries       &x,
+                               OwnedEntries       &matrix_times_x,
+                               const OwnedEntries &b) const
   {
     x.assign(b.size(), 0.);
     if (!has_multipliers)
       {
         multigrid.vmult(x.data(), b.data());
+        product.vmult(matrix_times_x, x);
         return;
       }
     unscaled                  = b;
@@ -143,10 +155,15 @@ namespace stickslip
     residual = unscaled;
     augmentation.add_to(residual);
     multigrid.vmult(x.data(), residual.data());
-    product.vmult_displacements(residual, x);
+    product.vmult_displacements(matrix_times_x, x);
     for (std::size_t i = 0; i < residual.size(); ++i)
-      residual[i] = unscaled[i] - residual[i];
-    interface.add_correction(residual, x);
+      residual[i] = unscaled[i] - matrix_times_x[i];
+    correction.resize(b.size(), 0.);
+    interface.solve(correction, residual);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] += correction[i];
+    product.add_part(matrix_times_x, correction);
+    apply_row_scale(matrix_times_x);
   }
 
 
@@ -164,7 +181,9 @@ namespace stickslip
         product.vmult(y, z);
         apply_row_scale(y);
       },
-      [&](OwnedEntries &y, const OwnedEntries &z) { precondition(y, z); },
+      [&](OwnedEntries &y, OwnedEntries &y_product, const OwnedEntries &z) {
+        precondition(y, y_product, z);
+      },
       x,
       b,
       tolerance,

@@ -45,26 +45,67 @@ namespace stickslip
 
 
 
+  template <typename Finish>
+  void
+  BlockProduct::for_each_block(const OwnedEntries &x,
+                               const unsigned int  n_columns,
+                               const Finish       &finish) const
+  {
+    for (unsigned int row = 0; row < 2; ++row)
+      for (unsigned int column = 0; column < n_columns; ++column)
+        blocks[row][column].start(x.data() + column * n_rows[0]);
+    for (unsigned int row = 0; row < 2; ++row)
+      for (unsigned int column = 0; column < n_columns; ++column)
+        finish(row, column, x.data() + column * n_rows[0]);
+  }
+
+
+
+  void
+  BlockProduct::set_part(const OwnedEntries &marks)
+  {
+    for_each_block(marks,
+                   2,
+                   [&](const unsigned int  row,
+                       const unsigned int  column,
+                       const double *const from) {
+                     rows_of_part[row][column] =
+                       blocks[row][column].rows_that_see(from);
+                   });
+  }
+
+
+
+  void
+  BlockProduct::add_part(OwnedEntries &y, const OwnedEntries &x) const
+  {
+    for_each_block(x,
+                   2,
+                   [&](const unsigned int  row,
+                       const unsigned int  column,
+                       const double *const from) {
+                     blocks[row][column].finish_add(y.data() + row * n_rows[0],
+                                                    from,
+                                                    rows_of_part[row][column]);
+                   });
+  }
+
+
+
   void
   BlockProduct::vmult(OwnedEntries       &y,
                       const OwnedEntries &x,
                       const unsigned int  n_columns) const
   {
     y.assign(n_rows[0] + n_rows[1], 0.);
-    const auto for_each_block = [&](const auto &visit) {
-      for (unsigned int row = 0; row < 2; ++row)
-        for (unsigned int column = 0; column < n_columns; ++column)
-          visit(blocks[row][column],
-                y.data() + row * n_rows[0],
-                x.data() + column * n_rows[0]);
-    };
-    for_each_block([](const auto &block, double *, const double *const from) {
-      block.start(from);
-    });
-    for_each_block(
-      [](const auto &block, double *const to, const double *const from) {
-        block.finish_add(to, from);
-      });
+    for_each_block(x,
+                   n_columns,
+                   [&](const unsigned int  row,
+                       const unsigned int  column,
+                       const double *const from) {
+                     blocks[row][column].finish_add(y.data() + row * n_rows[0],
+                                                    from);
+                   });
   }
 
 

@@ -156,12 +156,12 @@ namespace stickslip
 
 
   FlexibleGmres::Result
-  FlexibleGmres::solve(const Operation   &matrix,
-                       const Operation   &preconditioner,
-                       Entries           &x,
-                       const Entries     &b,
-                       const double       tolerance,
-                       const unsigned int max_iterations) const
+  FlexibleGmres::solve(const Operation      &matrix,
+                       const Preconditioner &preconditioner,
+                       Entries              &x,
+                       const Entries        &b,
+                       const double          tolerance,
+                       const unsigned int    max_iterations) const
   {
     Result  result;
     Entries product;
@@ -180,8 +180,8 @@ namespace stickslip
           {
             basis.preconditioned.emplace_back();
             preconditioner(basis.preconditioned.back(),
+                           product,
                            basis.directions.back());
-            matrix(product, basis.preconditioned.back());
             length = basis.append(std::move(product));
             ++result.iterations;
           }

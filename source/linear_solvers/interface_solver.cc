@@ -185,8 +185,19 @@ namespace stickslip
 
 
 
+  OwnedEntries
+  InterfaceSolver::marks(const unsigned int n) const
+  {
+    OwnedEntries marks(n, 0.);
+    for (const Row &row : rows)
+      marks[row.entry] = 1.;
+    return marks;
+  }
+
+
+
   void
-  InterfaceSolver::add_correction(const OwnedEntries &residual, OwnedEntries &x)
+  InterfaceSolver::solve(OwnedEntries &x, const OwnedEntries &residual)
   {
     // without compress(), which asks all ranks for foreign entries
     for (unsigned int k = 0; k < rows.size(); ++k)
@@ -196,6 +207,6 @@ namespace stickslip
     else
       check(factorization.solve(solution, rhs));
     for (unsigned int k = 0; k < rows.size(); ++k)
-      x[rows[k].entry] += solution.begin()[k];
+      x[rows[k].entry] = solution.begin()[k];
   }
 } // namespace stickslip

@@ -23,17 +23,43 @@ namespace stickslip
     /// rows.
     template <typename Visitor>
     void
+    visit_row(const Epetra_CrsMatrix &matrix,
+              const int               row,
+              const Visitor          &visit)
+    {
+      int       n       = 0;
+      double   *values  = nullptr;
+      int      *columns = nullptr;
+      const int error   = matrix.ExtractMyRowView(row, n, values, columns);
+      AssertThrow(error == 0, ExcMessage("A row is not stored."));
+      visit(row, n, values, columns);
+    }
+
+
+
+    template <typename Visitor>
+    void
     visit_rows(const Epetra_CrsMatrix &matrix, const Visitor &visit)
     {
       for (int row = 0; row < matrix.NumMyRows(); ++row)
-        {
-          int       n       = 0;
-          double   *values  = nullptr;
-          int      *columns = nullptr;
-          const int error   = matrix.ExtractMyRowView(row, n, values, columns);
-          AssertThrow(error == 0, ExcMessage("A row is not stored."));
-          visit(row, n, values, columns);
-        }
+        visit_row(matrix, row, visit);
+    }
+
+
+
+    /// Visitor of rows that adds A x to @p y.
+    auto
+    add_product(double *const y, const double *const x)
+    {
+      return [=](const int           row,
+                 const int           n,
+                 const double *const values,
+                 const int *const    columns) {
+        double sum = 0.;
+        for (int k = 0; k < n; ++k)
+          sum += values[k] * x[columns[k]];
+        y[row] += sum;
+      };
     }
   } // namespace
 
@@ -132,30 +158,58 @@ namespace stickslip
 
 
 
+  const double *
+  NeighbourProduct::receive(const double *const x) const
+  {
+    if (!has_exchange)
+      return x;
+    for (const auto &[column, entry] : owned_columns)
+      columns[column] = x[entry];
+    wait();
+    for (const Message &message : needed_here)
+      for (unsigned int k = 0; k < message.entries.size(); ++k)
+        columns[message.entries[k]] = message.buffer[k];
+    return columns.data();
+  }
+
+
+
   void
   NeighbourProduct::finish_add(double *const y, const double *const x) const
   {
-    const double *values_of_columns = x;
-    if (has_exchange)
-      {
-        for (const auto &[column, entry] : owned_columns)
-          columns[column] = x[entry];
-        wait();
-        for (const Message &message : needed_here)
-          for (unsigned int k = 0; k < message.entries.size(); ++k)
-            columns[message.entries[k]] = message.buffer[k];
-        values_of_columns = columns.data();
-      }
+    visit_rows(matrix->trilinos_matrix(), add_product(y, receive(x)));
+  }
+
+
+
+  void
+  NeighbourProduct::finish_add(double *const           y,
+                               const double *const     x,
+                               const std::vector<int> &rows) const
+  {
+    const auto add = add_product(y, receive(x));
+    for (const int row : rows)
+      visit_row(matrix->trilinos_matrix(), row, add);
+  }
+
+
+
+  std::vector<int>
+  NeighbourProduct::rows_that_see(const double *const x) const
+  {
+    std::vector<int>    rows;
+    const double *const of_columns = receive(x);
     visit_rows(matrix->trilinos_matrix(),
-               [&](const int           row,
-                   const int           n,
-                   const double *const values,
-                   const int *const    numbers) {
-                 double sum = 0.;
-                 for (int k = 0; k < n; ++k)
-                   sum += values[k] * values_of_columns[numbers[k]];
-                 y[row] += sum;
+               [&](const int row,
+                   const int n,
+                   const double *const,
+                   const int *const numbers) {
+                 if (std::any_of(numbers, numbers + n, [&](const int column) {
+                       return of_columns[column] != 0.;
+                     }))
+                   rows.push_back(row);
                });
+    return rows;
   }
 
 

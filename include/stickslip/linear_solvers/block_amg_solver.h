@@ -56,7 +56,7 @@ namespace stickslip
     /// units of a gap, times a stiffness.
     std::vector<double>  row_scale; ///< by owned multiplier
     BlockProduct         product;
-    mutable OwnedEntries unscaled, residual;
+    mutable OwnedEntries unscaled, residual, correction;
 
     bool         is_fresh    = false; ///< the hierarchy is of this matrix
     bool         rebuild     = true;
@@ -75,9 +75,12 @@ namespace stickslip
     void
     scale_rows();
 
-    /// The preconditioner, for rows scaled as in the iteration. Collective.
+    /// The preconditioner, for rows scaled as in the iteration, and the matrix
+    /// times @p x. Collective.
     void
-    precondition(OwnedEntries &x, const OwnedEntries &b) const;
+    precondition(OwnedEntries       &x,
+                 OwnedEntries       &matrix_times_x,
+                 const OwnedEntries &b) const;
 
     FlexibleGmres::Result
     iterate(OwnedEntries       &x,

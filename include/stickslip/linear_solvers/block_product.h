@@ -27,10 +27,15 @@ namespace stickslip
   class BlockProduct
   {
   public:
-    /// @p matrix must outlive this object and keep its sparsity. Without
-    /// communication.
+    /// @p matrix must outlive this object and keep its sparsity. The part of
+    /// set_part() stays. Without communication.
     void
     reinit(const LA::BlockSparseMatrix &matrix);
+
+    /// Unknowns for which add_part() is called: those where @p marks is not
+    /// zero. To be called for each new sparsity. Collective.
+    void
+    set_part(const OwnedEntries &marks);
 
     unsigned int
     n_displacements() const
@@ -52,14 +57,31 @@ namespace stickslip
     void
     vmult_displacements(OwnedEntries &y, const OwnedEntries &x) const;
 
+    /// y += matrix x for an @p x that is zero outside of the part: takes a
+    /// product with the rows that see it. Collective.
+    void
+    add_part(OwnedEntries &y, const OwnedEntries &x) const;
+
   private:
-    std::array<unsigned int, 2>                    n_rows{{0, 0}};
-    std::array<std::array<NeighbourProduct, 2>, 2> blocks;
+    template <typename T>
+    using OfBlocks = std::array<std::array<T, 2>, 2>;
+
+    std::array<unsigned int, 2> n_rows{{0, 0}};
+    OfBlocks<NeighbourProduct>  blocks;
+    OfBlocks<std::vector<int>>  rows_of_part;
 
     void
     vmult(OwnedEntries       &y,
           const OwnedEntries &x,
           const unsigned int  n_columns) const;
+
+    /// Starts the exchanges of the first @p n_columns columns of blocks, then
+    /// calls finish(row, column, where x begins for this column).
+    template <typename Finish>
+    void
+    for_each_block(const OwnedEntries &x,
+                   const unsigned int  n_columns,
+                   const Finish       &finish) const;
   };
 } // namespace stickslip
 

@@ -25,6 +25,11 @@ namespace stickslip
     /// Calculates y from x. Collective.
     using Operation = std::function<void(Entries &y, const Entries &x)>;
 
+    /// Preconditions: calculates x from b, and the matrix times x, which may
+    /// be at hand by then. Collective.
+    using Preconditioner =
+      std::function<void(Entries &x, Entries &product, const Entries &b)>;
+
     struct Result
     {
       unsigned int iterations = 0;
@@ -45,12 +50,12 @@ namespace stickslip
      * Collective.
      */
     Result
-    solve(const Operation   &matrix,
-          const Operation   &preconditioner,
-          Entries           &x,
-          const Entries     &b,
-          const double       tolerance,
-          const unsigned int max_iterations) const;
+    solve(const Operation      &matrix,
+          const Preconditioner &preconditioner,
+          Entries              &x,
+          const Entries        &b,
+          const double          tolerance,
+          const unsigned int    max_iterations) const;
 
   private:
     struct Basis;

@@ -32,10 +32,15 @@ namespace stickslip
     void
     factorise(const LA::BlockSparseMatrix &matrix, const bool new_layout);
 
-    /// Adds to @p x the solution for the part of @p residual in the interface.
-    /// Collective.
+    /// One where an owned unknown is in the interface, zero elsewhere, for
+    /// @p n owned ones.
+    OwnedEntries
+    marks(const unsigned int n) const;
+
+    /// Writes the solution for the part of @p residual in the interface into
+    /// the unknowns of the interface of @p x. Collective.
     void
-    add_correction(const OwnedEntries &residual, OwnedEntries &x);
+    solve(OwnedEntries &x, const OwnedEntries &residual);
 
     /// Unknowns of the interface, over all ranks.
     types::global_dof_index

@@ -33,6 +33,15 @@ namespace stickslip
     void
     finish_add(double *y, const double *x) const;
 
+    /// The same where all but @p rows of A x are zero. Collective.
+    void
+    finish_add(double *y, const double *x, const std::vector<int> &rows) const;
+
+    /// The owned rows that have an entry where @p x, that of start(), is not
+    /// zero. Collective.
+    std::vector<int>
+    rows_that_see(const double *x) const;
+
     /// y += A^T x. Collective.
     void
     add_transposed(double *y, const double *x) const;
@@ -61,6 +70,10 @@ namespace stickslip
 
     void
     wait() const;
+
+    /// Waits for what start() exchanges: @p x by local columns.
+    const double *
+    receive(const double *x) const;
   };
 } // namespace stickslip
 

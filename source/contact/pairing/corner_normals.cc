@@ -118,6 +118,7 @@ namespace stickslip
         TangentDerivatives<dim>  D_S;
         D_S.fill(std::vector<Tensor<1, dim>>(n_columns));
         typename PartnerMotion<dim>::Partner partner;
+        std::vector<double>                  D_eta;
         for (const auto &point : segments.points)
           {
             const unsigned int m       = segments.masters[point.master];
@@ -126,17 +127,19 @@ namespace stickslip
             const auto weights =
               weights_at(point.xi, j, opposite, point.weight);
             for (unsigned int d = 0; d < dim - 1; ++d)
+              for (unsigned int k = 0; k < shape.n_nodes(); ++k)
+                for (unsigned int c = 0; c < dim; ++c)
+                  D_S[d][columns[(shape.n_nodes() + k) * dim + c]][c] +=
+                    weights[d] * partner.master.value[k];
+            if (!partners_move)
+              continue;
+            for (unsigned int e = 0; e < dim - 1; ++e)
               {
-                for (unsigned int k = 0; k < shape.n_nodes(); ++k)
-                  for (unsigned int c = 0; c < dim; ++c)
-                    D_S[d][columns[(shape.n_nodes() + k) * dim + c]][c] +=
-                      weights[d] * partner.master.value[k];
-                if (!partners_move)
-                  continue;
-                for (unsigned int k = 0; k < columns.size(); ++k)
-                  for (unsigned int e = 0; e < dim - 1; ++e)
+                motion.partner_derivative(partner, e, D_eta);
+                for (unsigned int d = 0; d < dim - 1; ++d)
+                  for (unsigned int k = 0; k < columns.size(); ++k)
                     D_S[d][columns[k]] +=
-                      (weights[d] * partner.D_eta[e][k]) * partner.a[e];
+                      (weights[d] * D_eta[k]) * partner.a[e];
               }
           }
         if (partners_move)
@@ -184,13 +187,13 @@ namespace stickslip
                const Opposite<dim>                    &opposite,
                TangentDerivatives<dim>                &D_S) const
       {
-        std::vector<double> N_master;
+        std::vector<double> N_master, gain;
         for (const auto &end : segments.ends)
           {
             const unsigned int m         = segments.masters[end.master];
             const auto        &positions = patch.configuration(m).positions;
             const auto         columns   = columns_of(around, m);
-            const auto         gain      = motion.border_motion(end, positions);
+            motion.border_motion(end, positions, gain);
             shape.evaluate_values(end.eta, N_master);
             const Tensor<1, dim> x =
               interpolate<dim>(N_master, positions) - opposite.mean_x;

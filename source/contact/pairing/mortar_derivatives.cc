@@ -1,5 +1,7 @@
 #include <stickslip/contact/pairing/mortar_derivatives.h>
 
+#include <stickslip/base/vectorized.h>
+
 #include <stickslip/contact/pairing/corner_normals.h>
 #include <stickslip/contact/pairing/partner_motion.h>
 #include <stickslip/contact/pairing/tool_motion.h>
@@ -25,6 +27,50 @@ namespace stickslip
         numbers[average.master_dofs[l * dim]] = l;
       return numbers;
     }
+
+
+
+    /// Columns of the nodes of a face around a mortar node, and of those of a
+    /// master face, whose numbers are @p masters.
+    template <int dim>
+    std::vector<unsigned int>
+    columns_of(const typename MortarNode<dim>::Around &around,
+               const unsigned int                      n_slave,
+               const std::vector<unsigned int>        &masters)
+    {
+      std::vector<unsigned int> columns;
+      for (const unsigned int k : around.stencil)
+        for (unsigned int c = 0; c < dim; ++c)
+          columns.push_back(k * dim + c);
+      for (const unsigned int k : masters)
+        for (unsigned int c = 0; c < dim; ++c)
+          columns.push_back((n_slave + k) * dim + c);
+      return columns;
+    }
+
+
+
+    /// sums[r, :] += factors[r] * values, n of them.
+    STICKSLIP_VECTORIZED void
+    add_outer_product(const std::vector<double> &factors,
+                      const double *const        values,
+                      const unsigned int         n,
+                      double                    *sums)
+    {
+      using namespace FourLanes;
+      const unsigned int n_full = n - n % 4;
+      for (const double factor : factors)
+        {
+          if (factor != 0.)
+            {
+              for (unsigned int k = 0; k < n_full; k += 4)
+                store(sums + k, load(sums + k) + factor * load(values + k));
+              for (unsigned int k = n_full; k < n; ++k)
+                sums[k] += factor * values[k];
+            }
+          sums += n;
+        }
+    }
   } // namespace
 
 
@@ -46,10 +92,13 @@ namespace stickslip
                                             const FullMatrix<double> &weighting,
                                             const MasterPatch<dim> &patch) const
   {
-    const unsigned int                   n = displacement_shape.n_nodes();
-    const PartnerMotion<dim>             motion(displacement_shape, slave);
-    std::vector<FullMatrix<double>>      D_M(segments.masters.size(),
+    const unsigned int              n = displacement_shape.n_nodes();
+    const PartnerMotion<dim>        motion(displacement_shape, slave);
+    std::vector<FullMatrix<double>> D_M(segments.masters.size(),
                                         FullMatrix<double>(n, 2 * n * dim));
+    // how the shares change where the plane of projection turns
+    std::vector<std::vector<Tensor<1, dim>>> D_M_of_plane(
+      segments.masters.size(), std::vector<Tensor<1, dim>>(n));
     std::vector<double>                  L;
     typename PartnerMotion<dim>::Partner partner;
     for (const auto &point : segments.points)
@@ -62,14 +111,32 @@ namespace stickslip
           point,
           patch.configuration(segments.masters[point.master]).positions,
           partner);
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          for (unsigned int i = 0; i < n; ++i)
-            {
-              const double factor = psi * partner.master.gradient[i][d];
-              for (unsigned int k = 0; k < 2 * n * dim; ++k)
-                D_M[point.master](i, k) += factor * partner.D_eta[d][k];
-            }
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            Tensor<1, dim> D_share; // per motion of the slave's point
+            for (unsigned int d = 0; d < dim - 1; ++d)
+              D_share += psi * partner.master.gradient[i][d] * partner.dual[d];
+            D_M_of_plane[point.master][i] -= partner.distance * D_share;
+            double *column = &D_M[point.master](i, 0);
+            for (const std::vector<double> *values :
+                 {&partner.N, &partner.master.value})
+              {
+                for (unsigned int k = 0; k < n; ++k)
+                  for (unsigned int c = 0; c < dim; ++c)
+                    *column++ += (*values)[k] * D_share[c];
+                D_share *= -1.;
+              }
+          }
       }
+    for (unsigned int m = 0; m < D_M.size(); ++m)
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int k = 0; k < n; ++k)
+          {
+            const Tensor<1, dim> along =
+              D_M_of_plane[m][i] * motion.plane_normal_derivative()[k];
+            for (unsigned int c = 0; c < dim; ++c)
+              D_M[m](i, k * dim + c) += along[c];
+          }
     return D_M;
   }
 
@@ -91,41 +158,31 @@ namespace stickslip
     const unsigned int       n_slave = derivative.D_D.m();
     const PartnerMotion<dim> partners(displacement_shape, slave);
 
-    std::vector<double>       L, N, N_master, motion;
-    std::vector<unsigned int> columns(2 * n * dim);
-    // factors of the motion: on the slave's nodes, on those of each master
-    std::vector<double>              of_slave(n);
-    std::vector<std::vector<double>> of_master(rows.size(),
-                                               std::vector<double>(n));
-    const auto                       add = [&](const unsigned int  row,
-                         const double        factor,
-                         FullMatrix<double> &matrix) {
-      for (unsigned int k = 0; k < columns.size(); ++k)
-        matrix(row, columns[k]) += factor * motion[k];
-    };
+    const unsigned int n_masters = rows.size();
+    // Along the columns of the slave's and each master's nodes: derivative of
+    // the area, and of the integrals of the slave's nodes and all masters'.
+    std::vector<std::vector<double>> D_area(n_masters,
+                                            std::vector<double>(2 * n * dim));
+    std::vector<FullMatrix<double>>  D_integrals(
+      n_masters, FullMatrix<double>((1 + n_masters) * n, 2 * n * dim));
+    std::vector<double> L, N, N_master, motion, factors;
     for (const SegmentEnd<dim> &end : segments.ends)
       {
         multiplier_shape.evaluate_values(end.xi, L);
         displacement_shape.evaluate_values(end.xi, N);
         displacement_shape.evaluate_values(end.eta, N_master);
         // the area that the border gains
-        motion = partners.border_motion(
-          end, patch.configuration(segments.masters[end.master]).positions);
-        for (unsigned int k = 0; k < n; ++k)
-          for (unsigned int c = 0; c < dim; ++c)
-            {
-              columns[k * dim + c] = around.stencil[k] * dim + c;
-              columns[(n + k) * dim + c] =
-                (n_slave + rows[end.master][k]) * dim + c;
-            }
+        partners.border_motion(
+          end,
+          patch.configuration(segments.masters[end.master]).positions,
+          motion);
         const double psi     = combination(integrals.weighting, l, L);
         double       of_area = psi;
-        for (auto &factors : of_master)
-          std::fill(factors.begin(), factors.end(), 0.);
+        factors.assign((1 + n_masters) * n, 0.);
         for (unsigned int k = 0; k < n; ++k)
           {
-            of_slave[k]              = psi * N[k];
-            of_master[end.master][k] = psi * N_master[k];
+            factors[k]                        = psi * N[k];
+            factors[(1 + end.master) * n + k] = psi * N_master[k];
           }
         // dual functions stay dual on the part that has a master:
         // D psi_l = sum_m y_m psi_m, y_m from the derivative of D M^-1
@@ -139,20 +196,33 @@ namespace stickslip
                 ((m == l ? phi : 0.) - psi * phi) / integrals.area[m];
               of_area += y * integrals.area[m];
               for (unsigned int k = 0; k < n; ++k)
-                of_slave[k] += y * integrals.D(m, k);
-              for (unsigned int i = 0; i < rows.size(); ++i)
+                factors[k] += y * integrals.D(m, k);
+              for (unsigned int i = 0; i < n_masters; ++i)
                 for (unsigned int k = 0; k < n; ++k)
-                  of_master[i][k] += y * integrals.M[i](m, k);
+                  factors[(1 + i) * n + k] += y * integrals.M[i](m, k);
             }
+        add_outer_product(factors,
+                          motion.data(),
+                          motion.size(),
+                          &D_integrals[end.master](0, 0));
+        for (unsigned int k = 0; k < motion.size(); ++k)
+          D_area[end.master][k] += of_area * motion[k];
+      }
 
-        for (unsigned int k = 0; k < n; ++k)
-          add(around.stencil[k], of_slave[k], derivative.D_D);
-        for (unsigned int i = 0; i < rows.size(); ++i)
-          for (unsigned int k = 0; k < n; ++k)
-            if (of_master[i][k] != 0.)
-              add(rows[i][k], of_master[i][k], derivative.D_M);
+    for (unsigned int m = 0; m < n_masters; ++m)
+      {
+        const auto columns = columns_of<dim>(around, n_slave, rows[m]);
         for (unsigned int k = 0; k < columns.size(); ++k)
-          derivative.D_area[columns[k]] += of_area * motion[k];
+          {
+            derivative.D_area[columns[k]] += D_area[m][k];
+            for (unsigned int j = 0; j < n; ++j)
+              derivative.D_D(around.stencil[j], columns[k]) +=
+                D_integrals[m](j, k);
+            for (unsigned int i = 0; i < n_masters; ++i)
+              for (unsigned int j = 0; j < n; ++j)
+                derivative.D_M(rows[i][j], columns[k]) +=
+                  D_integrals[m]((1 + i) * n + j, k);
+          }
       }
   }
 
@@ -274,16 +344,10 @@ namespace stickslip
         std::vector<std::vector<unsigned int>> rows(D_M.size());
         for (unsigned int i = 0; i < D_M.size(); ++i)
           {
-            const SurfaceFace<dim>   &master = patch.face(of_face.masters[i]);
-            std::vector<unsigned int> columns;
+            const SurfaceFace<dim> &master = patch.face(of_face.masters[i]);
             for (unsigned int k = 0; k < n; ++k)
               rows[i].push_back(numbers.at(master.dofs[k * dim]));
-            for (unsigned int k = 0; k < n; ++k)
-              for (unsigned int c = 0; c < dim; ++c)
-                columns.push_back(around.stencil[k] * dim + c);
-            for (unsigned int k = 0; k < n; ++k)
-              for (unsigned int c = 0; c < dim; ++c)
-                columns.push_back((n_slave + rows[i][k]) * dim + c);
+            const auto columns = columns_of<dim>(around, n_slave, rows[i]);
             for (unsigned int l = 0; l < n; ++l)
               for (unsigned int k = 0; k < columns.size(); ++k)
                 derivative.D_M(rows[i][l], columns[k]) += D_M[i](l, k);

@@ -21,9 +21,8 @@ namespace stickslip
                                const std::vector<Tensor<1, dim>> &master,
                                Partner                           &partner) const
   {
-    const unsigned int n = shape.n_nodes();
     shape.evaluate_values(point.xi, partner.N);
-    shape.evaluate(point.eta, partner.master);
+    shape.evaluate_gradients(point.eta, partner.master);
     partner.a = surface_tangents<dim>(partner.master.gradient, master);
 
     Tensor<2, dim> jacobian;
@@ -34,23 +33,32 @@ namespace stickslip
         jacobian[i][dim - 1] = n_0[i];
       }
     const Tensor<2, dim> inverse = invert(jacobian);
-    const double distance = (interpolate<dim>(partner.N, slave.positions) -
-                             interpolate<dim>(partner.master.value, master)) *
-                            n_0;
+    partner.distance = (interpolate<dim>(partner.N, slave.positions) -
+                        interpolate<dim>(partner.master.value, master)) *
+                       n_0;
     for (unsigned int d = 0; d < dim - 1; ++d)
+      partner.dual[d] = inverse[d];
+  }
+
+
+
+  template <int dim>
+  void
+  PartnerMotion<dim>::partner_derivative(const Partner       &partner,
+                                         const unsigned int   d,
+                                         std::vector<double> &D_eta) const
+  {
+    const unsigned int    n    = shape.n_nodes();
+    const Tensor<1, dim> &dual = partner.dual[d];
+    D_eta.resize(2 * n * dim);
+    for (unsigned int k = 0; k < n; ++k)
       {
-        const Tensor<1, dim> &row   = inverse[d];
-        std::vector<double>  &D_eta = partner.D_eta[d];
-        D_eta.resize(2 * n * dim);
-        for (unsigned int k = 0; k < n; ++k)
+        const Tensor<1, dim> along_slave =
+          partner.N[k] * dual - partner.distance * (dual * D_n_0[k]);
+        for (unsigned int c = 0; c < dim; ++c)
           {
-            const Tensor<1, dim> along_slave =
-              partner.N[k] * row - distance * (row * D_n_0[k]);
-            for (unsigned int c = 0; c < dim; ++c)
-              {
-                D_eta[k * dim + c]       = along_slave[c];
-                D_eta[(n + k) * dim + c] = -partner.master.value[k] * row[c];
-              }
+            D_eta[k * dim + c]       = along_slave[c];
+            D_eta[(n + k) * dim + c] = -partner.master.value[k] * dual[c];
           }
       }
   }
@@ -58,13 +66,14 @@ namespace stickslip
 
 
   template <int dim>
-  std::vector<double>
-  PartnerMotion<dim>::border_motion(
-    const SegmentEnd<dim>             &end,
-    const std::vector<Tensor<1, dim>> &master) const
+  void
+  PartnerMotion<dim>::border_motion(const SegmentEnd<dim>             &end,
+                                    const std::vector<Tensor<1, dim>> &master,
+                                    std::vector<double> &motion) const
   {
-    const unsigned int  n = shape.n_nodes();
-    std::vector<double> N, N_border(n, 0.), motion(2 * n * dim);
+    const unsigned int n = shape.n_nodes();
+    motion.resize(2 * n * dim);
+    N_border.assign(n, 0.);
     shape.evaluate_values(end.xi, N);
     N_border[end.nodes[0]] += 1. - end.share;
     N_border[end.nodes[1]] += end.share;
@@ -84,7 +93,6 @@ namespace stickslip
               end.on_slave ? 0. : end.weight * N_border[k] * end.outward[c];
           }
       }
-    return motion;
   }
 
   template class PartnerMotion<2>;

@@ -105,13 +105,26 @@ namespace stickslip
 
   template <int dim>
   void
+  FaceShape<dim>::evaluate_gradients(const Point<dim - 1> &xi,
+                                     FaceShapeValues<dim> &shape) const
+  {
+    if constexpr (dim == 3)
+      if (is_triangle())
+        return evaluate_triangle_gradients(degree(), xi, shape);
+    evaluate_product(xi, false, shape);
+  }
+
+
+
+  template <int dim>
+  void
   FaceShape<dim>::evaluate(const Point<dim - 1> &xi,
                            FaceShapeValues<dim> &shape) const
   {
     if constexpr (dim == 3)
       if (is_triangle())
         return evaluate_triangle(degree(), xi, shape);
-    evaluate_product(xi, shape);
+    evaluate_product(xi, true, shape);
   }
 
 
@@ -119,6 +132,7 @@ namespace stickslip
   template <int dim>
   void
   FaceShape<dim>::evaluate_product(const Point<dim - 1> &xi,
+                                   const bool            with_hessians,
                                    FaceShapeValues<dim> &shape) const
   {
     // 1D values and two derivatives of every node along every direction
@@ -131,11 +145,12 @@ namespace stickslip
         }
       else
         for (unsigned int i = 0; i < n_1d; ++i)
-          basis[i].value(xi[d], 2, p[i][d].data());
+          basis[i].value(xi[d], with_hessians ? 2 : 1, p[i][d].data());
 
     shape.value.resize(n_nodes());
     shape.gradient.resize(n_nodes());
-    shape.hessian.resize(n_nodes());
+    if (with_hessians)
+      shape.hessian.resize(n_nodes());
     const auto product = [&](const unsigned int                       j,
                              const std::array<unsigned int, dim - 1> &order) {
       double result = 1.;
@@ -151,7 +166,7 @@ namespace stickslip
           {
             ++order[a];
             shape.gradient[j][a] = product(j, order);
-            for (unsigned int b = 0; b < dim - 1; ++b)
+            for (unsigned int b = 0; with_hessians && b < dim - 1; ++b)
               {
                 ++order[b];
                 shape.hessian[j][a][b] = product(j, order);

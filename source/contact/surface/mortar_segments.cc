@@ -89,6 +89,9 @@ namespace stickslip
           return false;
       return true;
     }
+
+
+
     /// True if @p p lies on the edge of @p cell from corner @p i on.
     template <int facedim>
     bool
@@ -202,7 +205,7 @@ namespace stickslip
     constexpr unsigned int most_iterations = 20;
     for (unsigned int iteration = 0; iteration < most_iterations; ++iteration)
       {
-        shape.evaluate(xi, values);
+        shape.evaluate_gradients(xi, values);
         const Tensor<1, dim> x = interpolate<dim>(values.value, positions);
         const auto a = surface_tangents<dim>(values.gradient, positions);
         Tensor<2, dim - 1> jacobian;
@@ -259,6 +262,8 @@ namespace stickslip
               ? exact_rule
               : other_rule;
           const double smallest = negligible_segment * measure<dim - 1>(cell);
+          const ParametricMap<dim> on_slave(shape, slave.projected, i);
+          const ParametricMap<dim> on_master(shape, opposite.projected, j);
           for (const auto &simplex :
                simplices<dim - 1>(intersection<dim - 1>(cell, other)))
             {
@@ -274,8 +279,8 @@ namespace stickslip
                     p += quadrature.point(q)[d] * (simplex[d + 1] - simplex[0]);
                   SegmentPoint<dim> point;
                   point.master = master;
-                  point.eta    = opposite.projected.centres[j];
-                  point.xi     = slave.projected.centres[i];
+                  point.eta    = on_master.at(p);
+                  point.xi     = on_slave.at(p);
                   if (!find_above(p,
                                   plane,
                                   opposite.positions,
@@ -351,8 +356,9 @@ namespace stickslip
                   if constexpr (dim == 3)
                     end.share = (p - cell[edge]).norm() /
                                 (cell[next] - cell[edge]).norm();
-                  end.eta = opposite.projected.centres[j];
-                  end.xi  = slave.projected.centres[c];
+                  end.eta =
+                    ParametricMap<dim>(shape, opposite.projected, j).at(p);
+                  end.xi = ParametricMap<dim>(shape, slave.projected, c).at(p);
                   for (unsigned int d = 0; d < dim - 1; ++d)
                     end.outward += border.outward[d] * plane.e[d];
                   if (!find_above(p,

@@ -111,7 +111,34 @@ namespace stickslip
     return face;
   }
 
+
+
+  template <int dim>
+  ParametricMap<dim>::ParametricMap(const FaceShape<dim>     &shape,
+                                    const ProjectedFace<dim> &face,
+                                    const unsigned int        cell)
+    : corner(face.cells[cell][0])
+    , xi(shape.node(face.corners[cell][0]))
+  {
+    const unsigned int n_corners = face.corners[cell].size();
+    Tensor<2, dim - 1> in_plane, parametric;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      {
+        const unsigned int k = d == 0 ? 1 : n_corners - 1;
+        for (unsigned int i = 0; i < dim - 1; ++i)
+          {
+            in_plane[i][d]   = face.cells[cell][k][i] - corner[i];
+            parametric[i][d] = shape.node(face.corners[cell][k])[i] - xi[i];
+          }
+      }
+    if (determinant(in_plane) != 0.)
+      slope = parametric * invert(in_plane);
+    else
+      xi = face.centres[cell];
+  }
+
 #define INSTANTIATE(dim)                                                   \
+  template class ParametricMap<dim>;                                       \
   template ProjectionPlane<dim> projection_plane(                          \
     const SurfaceFace<dim> &,                                              \
     const FaceShape<dim> &,                                                \

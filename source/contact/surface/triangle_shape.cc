@@ -62,15 +62,14 @@ namespace stickslip
 
 
   void
-  evaluate_triangle(const unsigned int  degree,
-                    const Point<2>     &xi,
-                    FaceShapeValues<3> &shape)
+  evaluate_triangle_gradients(const unsigned int  degree,
+                              const Point<2>     &xi,
+                              FaceShapeValues<3> &shape)
   {
     const auto  L = barycentric_coordinates(xi);
     const auto &G = barycentric_gradients();
     evaluate_triangle_values(degree, xi, shape.value);
     shape.gradient.assign(G.begin(), G.end());
-    shape.hessian.assign(shape.value.size(), Tensor<2, 2>());
     if (degree == 1)
       return;
     shape.gradient.resize(6);
@@ -78,8 +77,26 @@ namespace stickslip
       {
         const unsigned int j  = (i + 1) % 3;
         shape.gradient[i]     = (4. * L[i] - 1.) * G[i];
-        shape.hessian[i]      = 4. * outer_product(G[i], G[i]);
         shape.gradient[3 + i] = 4. * (L[i] * G[j] + L[j] * G[i]);
+      }
+  }
+
+
+
+  void
+  evaluate_triangle(const unsigned int  degree,
+                    const Point<2>     &xi,
+                    FaceShapeValues<3> &shape)
+  {
+    const auto &G = barycentric_gradients();
+    evaluate_triangle_gradients(degree, xi, shape);
+    shape.hessian.assign(shape.value.size(), Tensor<2, 2>());
+    if (degree == 1)
+      return;
+    for (unsigned int i = 0; i < 3; ++i)
+      {
+        const unsigned int j = (i + 1) % 3;
+        shape.hessian[i]     = 4. * outer_product(G[i], G[i]);
         shape.hessian[3 + i] =
           4. * (outer_product(G[i], G[j]) + outer_product(G[j], G[i]));
       }

@@ -50,19 +50,17 @@ namespace stickslip
 
 
   void
-  BlockGaussSeidel::set_order()
+  BlockGaussSeidel::set_order(const BlockMatrix<double> &A)
   {
-    const NodeSpace  &space = matrix->column_space();
+    const NodeSpace  &space = A.column_space();
     std::vector<bool> is_first(space.n_owned(), false);
     for (const auto &[rank, nodes] : space.seen_elsewhere())
       for (const auto node : nodes)
         is_first[space.local(node)] = true;
     // mostly the same ones
-    for (unsigned int row = 0; row < matrix->n_rows(); ++row)
-      for (auto k = matrix->column_begin(row);
-           k < matrix->column_begin(row + 1);
-           ++k)
-        if (matrix->column(k) >= space.n_owned())
+    for (unsigned int row = 0; row < A.n_rows(); ++row)
+      for (auto k = A.column_begin(row); k < A.column_begin(row + 1); ++k)
+        if (A.column(k) >= space.n_owned())
           is_first[row] = true;
     order.clear();
     for (unsigned int node = 0; node < space.n_owned(); ++node)
@@ -79,9 +77,8 @@ namespace stickslip
   void
   BlockGaussSeidel::reinit(BlockMatrix<double> &A)
   {
-    matrix                 = &A;
     const NodeSpace &space = A.column_space();
-    set_order();
+    set_order(A);
     exchange.reinit(space);
     std::vector<unsigned int> place(space.n_local());
     for (unsigned int k = 0; k < order.size(); ++k)
@@ -91,16 +88,15 @@ namespace stickslip
                       ? 0
                       : order.size() + 1;
     A.sort_columns(place);
-    split_rows();
+    split_rows(A);
   }
 
 
 
   void
-  BlockGaussSeidel::split_rows()
+  BlockGaussSeidel::split_rows(const BlockMatrix<double> &A)
   {
-    const BlockMatrix<double> &A = *matrix;
-    const unsigned int         n = A.n_rows();
+    const unsigned int n = A.n_rows();
     inverse_begins.assign(1, 0);
     diagonals.resize(n);
     lower_widths.resize(n);
@@ -137,10 +133,11 @@ namespace stickslip
 
 
   void
-  BlockGaussSeidel::scale(const unsigned int node, double *y) const
+  BlockGaussSeidel::scale(const unsigned int node,
+                          const unsigned int n,
+                          double            *y) const
   {
     const double *const block = inverse(node);
-    const unsigned int  n     = matrix->height(node);
     defect.assign(y, y + n);
     for (unsigned int r = 0; r < n; ++r)
       {
@@ -278,9 +275,9 @@ namespace stickslip
 
 
   double
-  BlockGaussSeidel::largest_eigenvalue() const
+  BlockGaussSeidel::largest_eigenvalue(const BlockMatrix<double> &A) const
   {
-    const NodeSpace          &space = matrix->column_space();
+    const NodeSpace          &space = A.column_space();
     const unsigned int        n     = space.n_owned_unknowns();
     std::vector<double>       x(space.begin(space.n_local()), 0.), y(n);
     const std::vector<double> zero(n, 0.);
@@ -292,10 +289,10 @@ namespace stickslip
     for (unsigned int step = 0; step < n_power_steps; ++step)
       {
         space.update_ghosts(x);
-        matrix->residual(y, x, zero);
+        A.residual(y, x, zero);
         std::vector<double> squares(2, 0.); // before and after
-        for (unsigned int node = 0; node < matrix->n_rows(); ++node)
-          scale(node, y.data() + matrix->row_begin(node));
+        for (unsigned int node = 0; node < A.n_rows(); ++node)
+          scale(node, A.height(node), y.data() + A.row_begin(node));
         for (unsigned int i = 0; i < n; ++i)
           {
             squares[0] += x[i] * x[i];

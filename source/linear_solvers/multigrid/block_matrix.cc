@@ -1,5 +1,7 @@
 #include <stickslip/linear_solvers/multigrid/block_matrix.h>
 
+#include <stickslip/base/vectorized.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -7,23 +9,81 @@ namespace stickslip
 {
   namespace
   {
-    /// Four sums side by side, so that the processor need not wait for one.
+    /// y_r += factor * sum_k a_rk x_k for the rows r of @p a, which begin
+    /// @p stride apart: three at a time, those of a node.
     template <typename Number>
-    double
-    product(const Number *a, const double *x, const unsigned int n)
+    [[gnu::always_inline]] inline void
+    add_products(const double       factor,
+                 const Number      *a,
+                 const unsigned int stride,
+                 const unsigned int n_rows,
+                 const double      *x,
+                 const unsigned int n,
+                 double            *y)
     {
-      double       s0 = 0., s1 = 0., s2 = 0., s3 = 0.;
-      unsigned int k = 0;
-      for (; k + 4 <= n; k += 4)
+      using namespace FourLanes;
+      const unsigned int n_full = n - n % 4;
+      unsigned int       r      = 0;
+      for (; r + 3 <= n_rows; r += 3, a += 3 * stride)
         {
-          s0 += a[k] * x[k];
-          s1 += a[k + 1] * x[k + 1];
-          s2 += a[k + 2] * x[k + 2];
-          s3 += a[k + 3] * x[k + 3];
+          const Number *const b = a + stride, *const c = b + stride;
+          Lanes of_a = zero(), of_b = zero(), of_c = zero();
+          for (unsigned int k = 0; k < n_full; k += 4)
+            {
+              const Lanes values = load(x + k);
+              of_a += load(a + k) * values;
+              of_b += load(b + k) * values;
+              of_c += load(c + k) * values;
+            }
+          double sum_a = sum(of_a), sum_b = sum(of_b), sum_c = sum(of_c);
+          for (unsigned int k = n_full; k < n; ++k)
+            {
+              sum_a += a[k] * x[k];
+              sum_b += b[k] * x[k];
+              sum_c += c[k] * x[k];
+            }
+          y[r] += factor * sum_a;
+          y[r + 1] += factor * sum_b;
+          y[r + 2] += factor * sum_c;
         }
-      for (; k < n; ++k)
-        s0 += a[k] * x[k];
-      return (s0 + s1) + (s2 + s3);
+      for (; r < n_rows; ++r, a += stride)
+        {
+          Lanes of_a = zero();
+          for (unsigned int k = 0; k < n_full; k += 4)
+            of_a += load(a + k) * load(x + k);
+          double sum_a = sum(of_a);
+          for (unsigned int k = n_full; k < n; ++k)
+            sum_a += a[k] * x[k];
+          y[r] += factor * sum_a;
+        }
+    }
+
+
+
+    STICKSLIP_VECTORIZED void
+    add_panel(const double       factor,
+              const float       *a,
+              const unsigned int stride,
+              const unsigned int n_rows,
+              const double      *x,
+              const unsigned int n,
+              double            *y)
+    {
+      add_products(factor, a, stride, n_rows, x, n, y);
+    }
+
+
+
+    STICKSLIP_VECTORIZED void
+    add_panel(const double       factor,
+              const double      *a,
+              const unsigned int stride,
+              const unsigned int n_rows,
+              const double      *x,
+              const unsigned int n,
+              double            *y)
+    {
+      add_products(factor, a, stride, n_rows, x, n, y);
     }
   } // namespace
 
@@ -97,6 +157,26 @@ namespace stickslip
 
 
   template <typename Number>
+  unsigned int
+  BlockMatrix<Number>::gather(const std::size_t          first,
+                              const std::size_t          end,
+                              const std::vector<double> &x) const
+  {
+    double *next = gathered.data();
+    for (std::size_t k = first; k < end; ++k)
+      {
+        const double *const values = x.data() + space.begin(rows.columns[k]);
+        // without calling a function for three numbers
+        for (unsigned int c = 0; c < rows.widths[k]; ++c)
+          next[c] = values[c];
+        next += rows.widths[k];
+      }
+    return next - gathered.data();
+  }
+
+
+
+  template <typename Number>
   void
   BlockMatrix<Number>::subtract_product(const unsigned int         row,
                                         const std::size_t          first,
@@ -105,16 +185,14 @@ namespace stickslip
                                         const std::vector<double> &x,
                                         double                    *y) const
   {
-    unsigned int n = 0;
-    for (std::size_t k = first; k < end; ++k)
-      {
-        const double *const values = x.data() + space.begin(rows.columns[k]);
-        for (unsigned int c = 0; c < rows.widths[k]; ++c)
-          gathered[n++] = values[c];
-      }
-    const Number *entries = panel(row) + offset;
-    for (unsigned int r = 0; r < height(row); ++r, entries += widths[row])
-      y[r] -= product(entries, gathered.data(), n);
+    const unsigned int n = gather(first, end, x);
+    add_panel(-1.,
+              panel(row) + offset,
+              widths[row],
+              height(row),
+              gathered.data(),
+              n,
+              y);
   }
 
 
@@ -144,15 +222,15 @@ namespace stickslip
   {
     for (unsigned int row = 0; row < n_rows(); ++row)
       {
-        unsigned int n = 0;
-        for (std::size_t k = rows.column_begins[row];
-             k < rows.column_begins[row + 1];
-             ++k)
-          for (unsigned int c = 0; c < rows.widths[k]; ++c)
-            gathered[n++] = x[space.begin(rows.columns[k]) + c];
-        const Number *entries = panel(row);
-        for (unsigned int r = 0; r < height(row); ++r, entries += n)
-          y[row_begins[row] + r] += product(entries, gathered.data(), n);
+        const unsigned int n =
+          gather(rows.column_begins[row], rows.column_begins[row + 1], x);
+        add_panel(1.,
+                  panel(row),
+                  n,
+                  height(row),
+                  gathered.data(),
+                  n,
+                  y.data() + row_begins[row]);
       }
   }
 

@@ -264,7 +264,7 @@ namespace stickslip
                         const BlockRows<double>   &tentative,
                         const NodeSpace           &coarse)
   {
-    const double            omega = 4. / 3. / smoother.largest_eigenvalue();
+    const double            omega = 4. / 3. / smoother.largest_eigenvalue(A);
     const BlockRows<double> P0    = local_rows(tentative, A.column_space());
     const NodeSpace         space = seen_space(coarse, P0);
     const std::vector<unsigned int> columns = local_columns(P0, space);
@@ -288,7 +288,7 @@ namespace stickslip
           {
             for (unsigned int r = 0; r < height; ++r)
               column[r] = values[r * width + c];
-            smoother.scale(row, column.data());
+            smoother.scale(row, height, column.data());
             for (unsigned int r = 0; r < height; ++r)
               values[r * width + c] = -omega * column[r];
           }

@@ -51,60 +51,68 @@ namespace stickslip
 
 
   void
-  SmoothedAggregation::coarsen(BlockRows<float> &&prolongation,
-                               const NodeSpace   &coarse)
+  SmoothedAggregation::add_level(BlockMatrix<double> &A)
   {
-    Level      &fine  = *levels.back();
-    auto        next  = std::make_unique<Level>();
-    const auto &space = fine.matrix.column_space();
-    next->matrix =
-      BlockMatrix<double>(galerkin_product(fine.matrix, prolongation, coarse),
-                          coarse,
-                          coarse);
-    fine.prolongation =
-      BlockMatrix<float>(std::move(prolongation), space, coarse);
-    next->smoother.reinit(next->matrix);
-    levels.push_back(std::move(next));
+    levels.push_back(std::make_unique<Level>());
+    levels.back()->smoother.reinit(A);
   }
 
 
 
   void
-  SmoothedAggregation::reinit(BlockMatrix<double> &&matrix,
+  SmoothedAggregation::coarsen(BlockMatrix<double> &A,
+                               BlockRows<float>   &&prolongation,
+                               const NodeSpace     &coarse)
+  {
+    Level              &fine = *levels.back();
+    BlockMatrix<double> next(galerkin_product(A, prolongation, coarse),
+                             coarse,
+                             coarse);
+    fine.prolongation =
+      BlockMatrix<float>(std::move(prolongation), A.column_space(), coarse);
+    fine.matrix = BlockMatrix<float>(std::move(A));
+    fine.smoother.use(fine.matrix);
+    A = std::move(next);
+    add_level(A);
+  }
+
+
+
+  void
+  SmoothedAggregation::reinit(BlockMatrix<double> &&A,
                               BlockRows<float>    &&prolongation,
                               const NodeSpace      &second,
                               Modes               &&modes)
   {
     clear();
-    levels.push_back(std::make_unique<Level>());
-    levels[0]->matrix = std::move(matrix);
-    levels[0]->smoother.reinit(levels[0]->matrix);
+    const auto n_unknowns = [&A] {
+      return A.column_space().owned_unknowns().size();
+    };
+    add_level(A);
     if (prolongation.n_rows() > 0)
-      coarsen(std::move(prolongation), second);
-    while (levels.size() < max_levels &&
-           n_unknowns(levels.size() - 1) > largest_coarsest_level)
+      coarsen(A, std::move(prolongation), second);
+    while (levels.size() < max_levels && n_unknowns() > largest_coarsest_level)
       {
-        const Level          &fine  = *levels.back();
-        const auto           &space = fine.matrix.column_space();
         TentativeProlongation tentative =
-          tentative_prolongation(space, find_aggregates(fine.matrix), modes);
+          tentative_prolongation(A.column_space(), find_aggregates(A), modes);
         if (tentative.coarse.owned_unknowns().size() >
-            least_coarsening * n_unknowns(levels.size() - 1))
+            least_coarsening * n_unknowns())
           break;
-        coarsen(smoothed_prolongation(
-                  fine.matrix, fine.smoother, tentative.rows, tentative.coarse),
+        coarsen(A,
+                smoothed_prolongation(
+                  A, levels.back()->smoother, tentative.rows, tentative.coarse),
                 tentative.coarse);
         modes = std::move(tentative.coarse_modes);
       }
-    factorise_coarsest();
+    factorise_coarsest(A);
+    levels.back()->matrix = BlockMatrix<float>(std::move(A));
   }
 
 
 
   void
-  SmoothedAggregation::factorise_coarsest()
+  SmoothedAggregation::factorise_coarsest(const BlockMatrix<double> &A)
   {
-    const BlockMatrix<double>          &A     = levels.back()->matrix;
     const NodeSpace                    &space = A.column_space();
     std::vector<RootFactorization::Row> rows;
     for (unsigned int row = 0; row < A.n_rows(); ++row)

@@ -20,13 +20,19 @@ namespace stickslip
   public:
     PartnerMotion(const FaceShape<dim> &shape, const MortarFace<dim> &slave);
 
-    /// The partner of a point that stays where it is on the slave face.
+    /**
+     * The partner of a point that stays where it is on the slave face. With
+     * the dual basis a^d of the tangents and n_0, the nodes change eta by
+     * D eta_d = a^d . (N_k - distance D_n_0[k]) at slave node k, and by
+     * -a^d N_k at master node k.
+     */
     struct Partner
     {
-      std::vector<double>                      N;      ///< slave's, at xi
-      FaceShapeValues<dim>                     master; ///< at eta
-      std::array<Tensor<1, dim>, dim - 1>      a; ///< tangents of the master
-      std::array<std::vector<double>, dim - 1> D_eta; ///< [d][column]
+      std::vector<double>                 N;      ///< slave's, at xi
+      FaceShapeValues<dim>                master; ///< at eta
+      std::array<Tensor<1, dim>, dim - 1> a;      ///< tangents of the master
+      std::array<Tensor<1, dim>, dim - 1> dual;   ///< a^d
+      double                              distance = 0.; ///< along n_0
     };
 
     /// @p master are the positions of the nodes of the master face. Keeps the
@@ -36,17 +42,32 @@ namespace stickslip
              const std::vector<Tensor<1, dim>> &master,
              Partner                           &partner) const;
 
+    /// Derivative of the normal of the plane per slave node.
+    const std::vector<Tensor<2, dim>> &
+    plane_normal_derivative() const
+    {
+      return D_n_0;
+    }
+
+    /// Derivative of eta_d per column; keeps the memory of @p D_eta.
+    void
+    partner_derivative(const Partner       &partner,
+                       const unsigned int   d,
+                       std::vector<double> &D_eta) const;
+
     /// Undeformed area that a segment gains at its border: derivative per
-    /// column.
-    std::vector<double>
+    /// column. Keeps the memory of @p motion.
+    void
     border_motion(const SegmentEnd<dim>             &end,
-                  const std::vector<Tensor<1, dim>> &master) const;
+                  const std::vector<Tensor<1, dim>> &master,
+                  std::vector<double>               &motion) const;
 
   private:
     const FaceShape<dim>       &shape;
     const MortarFace<dim>      &slave;
     Tensor<1, dim>              n_0;
     std::vector<Tensor<2, dim>> D_n_0; ///< per slave node
+    mutable std::vector<double> N, N_border;
   };
 } // namespace stickslip
 

@@ -69,6 +69,11 @@ namespace stickslip
     void
     evaluate_values(const Point<dim - 1> &xi, std::vector<double> &value) const;
 
+    /// Values and gradients; the Hessians of @p shape stay as they are.
+    void
+    evaluate_gradients(const Point<dim - 1> &xi,
+                       FaceShapeValues<dim> &shape) const;
+
     /// Values, gradients and Hessians.
     void
     evaluate(const Point<dim - 1> &xi, FaceShapeValues<dim> &shape) const;
@@ -96,6 +101,7 @@ namespace stickslip
   private:
     void
     evaluate_product(const Point<dim - 1> &xi,
+                     const bool            with_hessians,
                      FaceShapeValues<dim> &shape) const;
 
     ReferenceCell                                face;

@@ -59,6 +59,30 @@ namespace stickslip
     Point<dim - 1>                 high;
   };
 
+  /// The affine map from a cell of a projected face to parametric coordinates
+  /// that takes three corners (2D: two) to their nodes: that of the face
+  /// itself, if it is a flat triangle or parallelogram. Collapsed cells go to
+  /// their centre.
+  template <int dim>
+  class ParametricMap
+  {
+  public:
+    ParametricMap(const FaceShape<dim>     &shape,
+                  const ProjectedFace<dim> &face,
+                  const unsigned int        cell);
+
+    Point<dim - 1>
+    at(const Point<dim - 1> &p) const
+    {
+      return xi + slope * (p - corner);
+    }
+
+  private:
+    Point<dim - 1>     corner; ///< in the plane
+    Point<dim - 1>     xi;     ///< its parametric coordinates
+    Tensor<2, dim - 1> slope;
+  };
+
   template <int dim>
   ProjectedFace<dim>
   project(const FaceShape<dim>              &shape,

@@ -22,6 +22,11 @@ namespace stickslip
                            std::vector<double> &value);
 
   void
+  evaluate_triangle_gradients(const unsigned int  degree,
+                              const Point<2>     &xi,
+                              FaceShapeValues<3> &shape);
+
+  void
   evaluate_triangle(const unsigned int  degree,
                     const Point<2>     &xi,
                     FaceShapeValues<3> &shape);

@@ -18,11 +18,20 @@ namespace stickslip
   class BlockGaussSeidel
   {
   public:
-    /// Inverts the diagonal blocks; zero pivots (unknowns without stiffness)
-    /// give zero. Keeps a reference to @p matrix, and sorts its columns by the
-    /// order of the sweeps.
+    /// Inverts the diagonal blocks of @p A; zero pivots (unknowns without
+    /// stiffness) give zero. Sorts the columns of @p A by the order of the
+    /// sweeps.
     void
-    reinit(BlockMatrix<double> &matrix);
+    reinit(BlockMatrix<double> &A);
+
+    /// Sets the matrix of the sweeps: that of reinit() in single precision,
+    /// which has half its size, and reading it is what a sweep takes. Keeps a
+    /// reference.
+    void
+    use(const BlockMatrix<float> &A)
+    {
+      matrix = &A;
+    }
 
     /**
      * One sweep forwards and one backwards from x = 0, and the residual that is
@@ -39,16 +48,16 @@ namespace stickslip
     void
     smooth(std::vector<double> &x, const std::vector<double> &b) const;
 
-    /// y = D^-1 y in the unknowns of a node.
+    /// y = D^-1 y in the @p n unknowns of a node.
     void
-    scale(const unsigned int node, double *y) const;
+    scale(const unsigned int node, const unsigned int n, double *y) const;
 
     /**
      * The largest eigenvalue of D^-1 A, from below, by some steps of the power
-     * method. Collective.
+     * method, for the @p A of reinit(). Collective.
      */
     double
-    largest_eigenvalue() const;
+    largest_eigenvalue(const BlockMatrix<double> &A) const;
 
     /// The inverse of a diagonal block, by rows.
     const double *
@@ -58,9 +67,9 @@ namespace stickslip
     }
 
   private:
-    const BlockMatrix<double> *matrix = nullptr;
-    OrderedExchange            exchange;
-    std::vector<unsigned int>  order;     ///< of the owned nodes
+    const BlockMatrix<float> *matrix = nullptr;
+    OrderedExchange           exchange;
+    std::vector<unsigned int> order;      ///< of the owned nodes
     unsigned int             n_first = 0; ///< nodes beside those of other ranks
     std::vector<std::size_t> inverse_begins;
     std::vector<double>      inverses;
@@ -72,11 +81,11 @@ namespace stickslip
 
     /// The nodes beside those of other ranks come first.
     void
-    set_order();
+    set_order(const BlockMatrix<double> &A);
 
     /// Lower and upper parts of the rows, and the inverses.
     void
-    split_rows();
+    split_rows(const BlockMatrix<double> &A);
 
     /// (D + L) x1 = b - U x, which leaves lower_residual.
     void

@@ -3,6 +3,7 @@
 
 #include <stickslip/linear_solvers/multigrid/block_rows.h>
 
+#include <utility>
 #include <vector>
 
 namespace stickslip
@@ -27,6 +28,17 @@ namespace stickslip
     BlockMatrix(BlockRows<Number> &&rows,
                 const NodeSpace    &row_space,
                 const NodeSpace    &column_space);
+
+    /// Takes the matrix @p other, whose numbers have another precision.
+    template <typename OtherNumber>
+    explicit BlockMatrix(BlockMatrix<OtherNumber> &&other)
+      : space(std::move(other.space))
+      , row_begins(std::move(other.row_begins))
+      , widths(std::move(other.widths))
+      , gathered(std::move(other.gathered))
+    {
+      rows.take(std::move(other.rows));
+    }
 
     unsigned int
     n_rows() const
@@ -122,12 +134,21 @@ namespace stickslip
     memory_consumption() const;
 
   private:
+    template <typename>
+    friend class BlockMatrix;
+
     NodeSpace                 space; ///< of the columns
     std::vector<unsigned int> row_begins{0};
     std::vector<unsigned int> widths;
     BlockRows<Number>         rows; ///< with local numbers of columns
 
     mutable std::vector<double> gathered; ///< what a row sees of a vector
+
+    /// Gathers what columns [first, end) see of @p x; returns how much.
+    unsigned int
+    gather(const std::size_t          first,
+           const std::size_t          end,
+           const std::vector<double> &x) const;
   };
 
 

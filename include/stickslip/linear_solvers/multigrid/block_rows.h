@@ -5,6 +5,7 @@
 
 #include <stickslip/linear_solvers/multigrid/node_space.h>
 
+#include <utility>
 #include <vector>
 
 namespace stickslip
@@ -85,6 +86,19 @@ namespace stickslip
                     other.values.begin() + other.value_begins[row + 1]);
       column_begins.push_back(columns.size());
       value_begins.push_back(values.size());
+    }
+
+    /// Takes the rows of @p other, whose numbers have another precision.
+    template <typename OtherNumber>
+    void
+    take(BlockRows<OtherNumber> &&other)
+    {
+      column_begins = std::move(other.column_begins);
+      value_begins  = std::move(other.value_begins);
+      columns       = std::move(other.columns);
+      widths        = std::move(other.widths);
+      values.assign(other.values.begin(), other.values.end());
+      other = {};
     }
 
     /// For messages.

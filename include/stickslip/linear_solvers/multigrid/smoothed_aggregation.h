@@ -18,7 +18,9 @@ namespace stickslip
    * Gauss-Seidel sweep before and after, a direct solver on the coarsest level.
    * A coarse node has as many unknowns as there are independent modes in its
    * aggregate, which is what makes it smaller than libraries with one number
-   * for all. Holds copies of all it needs.
+   * for all. Holds copies of all it needs; the matrices of the cycle are in
+   * single precision, those that coarser ones are made of in double precision:
+   * a body on weak springs would lose its rigid motions otherwise.
    */
   class SmoothedAggregation
   {
@@ -60,9 +62,9 @@ namespace stickslip
   private:
     struct Level
     {
-      BlockMatrix<double> matrix;
-      BlockGaussSeidel    smoother;
-      BlockMatrix<float>  prolongation; ///< from the next level
+      BlockMatrix<float> matrix;
+      BlockGaussSeidel   smoother;
+      BlockMatrix<float> prolongation; ///< from the next level
       /// x has ghosts, coarse is for the prolongation
       mutable std::vector<double> x, b, defect, coarse;
     };
@@ -70,12 +72,19 @@ namespace stickslip
     std::vector<std::unique_ptr<Level>> levels;
     RootFactorization                   coarsest_factors;
 
-    /// Adds the level above the present coarsest one.
+    /// Adds the coarsest level so far, whose smoother sorts @p A.
     void
-    coarsen(BlockRows<float> &&prolongation, const NodeSpace &coarse);
+    add_level(BlockMatrix<double> &A);
+
+    /// Adds the next level to that of @p A, which becomes the matrix of that
+    /// level.
+    void
+    coarsen(BlockMatrix<double> &A,
+            BlockRows<float>   &&prolongation,
+            const NodeSpace     &coarse);
 
     void
-    factorise_coarsest();
+    factorise_coarsest(const BlockMatrix<double> &A);
 
     /// x of the level from its b.
     void
