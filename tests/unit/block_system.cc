@@ -199,7 +199,7 @@ namespace
       " of " + std::to_string(K.m()));
     LA::BlockVector correction = problem.zero_state();
     OwnedEntries    solution(entries.size(), 0.);
-    interface.add_correction(owned_entries(x), solution);
+    interface.solve(solution, owned_entries(x));
     set_owned_entries(correction, solution);
     K.vmult(residual, correction);
     residual -= x;

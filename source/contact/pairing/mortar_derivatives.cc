@@ -50,27 +50,44 @@ namespace stickslip
 
 
 
-    /// sums[r, :] += factors[r] * values, n of them.
+    /// Row @p row of @p sums += factor * values.
     STICKSLIP_VECTORIZED void
-    add_outer_product(const std::vector<double> &factors,
-                      const double *const        values,
-                      const unsigned int         n,
-                      double                    *sums)
+    add_to_row(const unsigned int         row,
+               const double               factor,
+               const std::vector<double> &values,
+               FullMatrix<double>        &sums)
     {
       using namespace FourLanes;
+      double *const      sum    = &sums(row, 0);
+      const unsigned int n      = values.size();
       const unsigned int n_full = n - n % 4;
-      for (const double factor : factors)
-        {
-          if (factor != 0.)
-            {
-              for (unsigned int k = 0; k < n_full; k += 4)
-                store(sums + k, load(sums + k) + factor * load(values + k));
-              for (unsigned int k = n_full; k < n; ++k)
-                sums[k] += factor * values[k];
-            }
-          sums += n;
-        }
+      for (unsigned int k = 0; k < n_full; k += 4)
+        store(sum + k, load(sum + k) + factor * load(&values[k]));
+      for (unsigned int k = n_full; k < n; ++k)
+        sum[k] += factor * values[k];
     }
+
+
+
+    /// What the motion of the ends of segments of one master face changes,
+    /// along the columns of its nodes and the slave's: sums over these ends of
+    /// the border's motion times factors.
+    struct EndSums
+    {
+      FullMatrix<double> area;      ///< [0]: derivative of the area
+      FullMatrix<double> of_slave;  ///< psi_l N_k of the slave
+      FullMatrix<double> of_master; ///< psi_l N_k of the master
+      FullMatrix<double> of_dual;   ///< y_m, where D psi_l = sum_m y_m psi_m
+
+      EndSums(const unsigned int n_nodes,
+              const unsigned int n_multipliers,
+              const unsigned int n_columns)
+        : area(1, n_columns)
+        , of_slave(n_nodes, n_columns)
+        , of_master(n_nodes, n_columns)
+        , of_dual(n_multipliers, n_columns)
+      {}
+    };
   } // namespace
 
 
@@ -158,16 +175,49 @@ namespace stickslip
     const unsigned int       n_slave = derivative.D_D.m();
     const PartnerMotion<dim> partners(displacement_shape, slave);
 
-    const unsigned int n_masters = rows.size();
-    // Along the columns of the slave's and each master's nodes: derivative of
-    // the area, and of the integrals of the slave's nodes and all masters'.
-    std::vector<std::vector<double>> D_area(n_masters,
-                                            std::vector<double>(2 * n * dim));
-    std::vector<FullMatrix<double>>  D_integrals(
-      n_masters, FullMatrix<double>((1 + n_masters) * n, 2 * n * dim));
-    std::vector<double> L, N, N_master, motion, factors;
+    const unsigned int n_multipliers = multiplier_shape.n_nodes();
+    const EndSums      none(n, n_multipliers, 2 * n * dim);
+    EndSums            sums(none);
+
+    const auto add_sums = [&](const unsigned int master) {
+      const auto columns = columns_of<dim>(around, n_slave, rows[master]);
+      const auto add     = [&](const double              factor,
+                           const FullMatrix<double> &values,
+                           const unsigned int        of_row,
+                           FullMatrix<double>       &D,
+                           const unsigned int        row) {
+        if (factor != 0.)
+          for (unsigned int k = 0; k < columns.size(); ++k)
+            D(row, columns[k]) += factor * values(of_row, k);
+      };
+      for (unsigned int k = 0; k < columns.size(); ++k)
+        derivative.D_area[columns[k]] += sums.area(0, k);
+      for (unsigned int j = 0; j < n; ++j)
+        {
+          const unsigned int own = around.stencil[j];
+          add(1., sums.of_slave, j, derivative.D_D, own);
+          add(1., sums.of_master, j, derivative.D_M, rows[master][j]);
+          for (unsigned int m = 0; m < n_multipliers; ++m)
+            {
+              add(integrals.D(m, j), sums.of_dual, m, derivative.D_D, own);
+              for (unsigned int i = 0; i < rows.size(); ++i)
+                add(integrals.M[i](m, j),
+                    sums.of_dual,
+                    m,
+                    derivative.D_M,
+                    rows[i][j]);
+            }
+        }
+      sums = none;
+    };
+
+    std::vector<double> L, N, N_master, motion;
+    unsigned int        master = segments.ends.front().master;
     for (const SegmentEnd<dim> &end : segments.ends)
       {
+        if (end.master != master) // those of one follow each other
+          add_sums(master);
+        master = end.master;
         multiplier_shape.evaluate_values(end.xi, L);
         displacement_shape.evaluate_values(end.xi, N);
         displacement_shape.evaluate_values(end.eta, N_master);
@@ -178,16 +228,15 @@ namespace stickslip
           motion);
         const double psi     = combination(integrals.weighting, l, L);
         double       of_area = psi;
-        factors.assign((1 + n_masters) * n, 0.);
         for (unsigned int k = 0; k < n; ++k)
           {
-            factors[k]                        = psi * N[k];
-            factors[(1 + end.master) * n + k] = psi * N_master[k];
+            add_to_row(k, psi * N[k], motion, sums.of_slave);
+            add_to_row(k, psi * N_master[k], motion, sums.of_master);
           }
         // dual functions stay dual on the part that has a master:
         // D psi_l = sum_m y_m psi_m, y_m from the derivative of D M^-1
         if (slave.weighting_kind == WeightingFunctions::dual)
-          for (unsigned int m = 0; m < L.size(); ++m)
+          for (unsigned int m = 0; m < n_multipliers; ++m)
             {
               if (slave.missing.is_missing[m])
                 continue;
@@ -195,35 +244,11 @@ namespace stickslip
               const double y =
                 ((m == l ? phi : 0.) - psi * phi) / integrals.area[m];
               of_area += y * integrals.area[m];
-              for (unsigned int k = 0; k < n; ++k)
-                factors[k] += y * integrals.D(m, k);
-              for (unsigned int i = 0; i < n_masters; ++i)
-                for (unsigned int k = 0; k < n; ++k)
-                  factors[(1 + i) * n + k] += y * integrals.M[i](m, k);
+              add_to_row(m, y, motion, sums.of_dual);
             }
-        add_outer_product(factors,
-                          motion.data(),
-                          motion.size(),
-                          &D_integrals[end.master](0, 0));
-        for (unsigned int k = 0; k < motion.size(); ++k)
-          D_area[end.master][k] += of_area * motion[k];
+        add_to_row(0, of_area, motion, sums.area);
       }
-
-    for (unsigned int m = 0; m < n_masters; ++m)
-      {
-        const auto columns = columns_of<dim>(around, n_slave, rows[m]);
-        for (unsigned int k = 0; k < columns.size(); ++k)
-          {
-            derivative.D_area[columns[k]] += D_area[m][k];
-            for (unsigned int j = 0; j < n; ++j)
-              derivative.D_D(around.stencil[j], columns[k]) +=
-                D_integrals[m](j, k);
-            for (unsigned int i = 0; i < n_masters; ++i)
-              for (unsigned int j = 0; j < n; ++j)
-                derivative.D_M(rows[i][j], columns[k]) +=
-                  D_integrals[m]((1 + i) * n + j, k);
-          }
-      }
+    add_sums(master);
   }
 
 

@@ -144,32 +144,43 @@ namespace stickslip
 
 
 
-    /// Writes column @p k of the rows that the law gives.
+    /// Writes the rows that the law gives. Row by row, as the matrix is stored:
+    /// a large face may see thousands of master nodes.
     template <int dim>
     void
-    write_column(const MortarElement<dim>      &element,
-                 const ResponseDerivative<dim> &D,
-                 const unsigned int             k,
-                 FullMatrix<double>            &local)
+    write_rows(const MortarElement<dim>                   &element,
+               const std::vector<ResponseDerivative<dim>> &D,
+               FullMatrix<double>                         &local)
     {
-      const unsigned int n_slave = element.node.n_stencil_nodes();
+      const unsigned int  n_slave = element.node.n_stencil_nodes();
+      std::vector<double> along(D.size()); // a component of all columns
       if (element.average.paired)
         for (unsigned int c = 0; c < dim; ++c)
           {
+            for (unsigned int k = 0; k < D.size(); ++k)
+              along[k] = D[k].traction[c];
+            const auto write = [&](const unsigned int node,
+                                   const double       share) {
+              double *const row = &local(node * dim + c, 0);
+              for (unsigned int k = 0; k < D.size(); ++k)
+                row[k] = share * along[k];
+            };
             for (unsigned int j = 0; j < n_slave; ++j)
-              local(j * dim + c, k) = element.average.D[j] * D.traction[c];
+              write(j, element.average.D[j]);
             for (unsigned int l = 0; l < element.average.n_master_nodes(); ++l)
-              local((n_slave + l) * dim + c, k) =
-                -element.average.M[l] * D.traction[c];
+              write(n_slave + l, -element.average.M[l]);
           }
       const unsigned int first = element.n_displacements();
-      local(first, k)          = element.weight() * D.row_lambda;
-      const auto &rotation =
+      const auto        &rotation =
         element.point.nodal_rotations[element.own_multiplier];
-      for (unsigned int b = 0; b + 1 < element.n_multiplier_components; ++b)
-        for (unsigned int a = 0; a < dim - 1; ++a)
-          local(first + 1 + b, k) +=
-            element.weight() * rotation[a][b] * D.row_Lambda[a];
+      for (unsigned int k = 0; k < D.size(); ++k)
+        {
+          local(first, k) = element.weight() * D[k].row_lambda;
+          for (unsigned int b = 0; b + 1 < element.n_multiplier_components; ++b)
+            for (unsigned int a = 0; a < dim - 1; ++a)
+              local(first + 1 + b, k) +=
+                element.weight() * rotation[a][b] * D[k].row_Lambda[a];
+        }
     }
 
 
@@ -186,12 +197,13 @@ namespace stickslip
       const auto &rotation =
         element.point.nodal_rotations[element.own_multiplier];
       const unsigned int first = element.n_displacements();
+      for (unsigned int j = 0; j < element.average.D.size(); ++j)
+        for (unsigned int c = 0; c < dim; ++c)
+          for (unsigned int k = 0; k < derivative.D_area.size(); ++k)
+            local(j * dim + c, k) +=
+              derivative.D_D(j, k) * response.traction[c];
       for (unsigned int k = 0; k < derivative.D_area.size(); ++k)
         {
-          for (unsigned int j = 0; j < element.average.D.size(); ++j)
-            for (unsigned int c = 0; c < dim; ++c)
-              local(j * dim + c, k) +=
-                derivative.D_D(j, k) * response.traction[c];
           local(first, k) += derivative.D_area[k] * response.row_lambda;
           for (unsigned int b = 0; b + 1 < element.n_multiplier_components; ++b)
             for (unsigned int a = 0; a < dim - 1; ++a)
@@ -333,30 +345,26 @@ namespace stickslip
     const auto &response    = state.response;
     const auto  columns     = displacement_columns(element, derivative);
     const auto  coordinates = {G::W, G::motion, G::M, G::E};
+    std::vector<ResponseDerivative<dim>> D(columns.size());
     for (unsigned int k = 0; k < columns.size(); ++k)
       {
-        ResponseDerivative<dim> D;
-        unsigned int            entry = 0;
+        unsigned int entry = 0;
         for (const unsigned int first : coordinates)
           for (unsigned int i = 0; i < dim; ++i, ++entry)
             if (columns[k][entry] != 0.)
-              D.add(response, first + i, columns[k][entry]);
-        write_column(element, D, k, local);
+              D[k].add(response, first + i, columns[k][entry]);
       }
-
-    unsigned int            k = columns.size();
-    ResponseDerivative<dim> D_lambda;
-    D_lambda.add(response, G::lambda, 1.);
-    write_column(element, D_lambda, k, local);
+    D.emplace_back();
+    D.back().add(response, G::lambda, 1.);
     const auto &rotation =
       element.point.nodal_rotations[element.own_multiplier];
     for (unsigned int b = 0; b + 1 < element.n_multiplier_components; ++b)
       {
-        ResponseDerivative<dim> D_Lambda;
+        D.emplace_back();
         for (unsigned int a = 0; a < dim - 1; ++a)
-          D_Lambda.add(response, G::Lambda + a, rotation[a][b]);
-        write_column(element, D_Lambda, ++k, local);
+          D.back().add(response, G::Lambda + a, rotation[a][b]);
       }
+    write_rows(element, D, local);
 
     // the forces on the master move from node to node
     if (derivative != nullptr)
