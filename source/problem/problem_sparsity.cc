@@ -195,7 +195,7 @@ namespace stickslip
     for (const auto i : multipliers.locally_owned())
       pattern.block(1, 1).add(i, i);
     for (unsigned int b = 0; b < owned.size(); ++b)
-      for (unsigned int c = 0; c < owned.size(); ++c)
+      for (unsigned int c = 0; c < owned.size() && owned[b].size() > 0; ++c)
         SparsityTools::distribute_sparsity_pattern(pattern.block(b, c),
                                                    owned[b],
                                                    communicator,

@@ -376,13 +376,16 @@ namespace
     BlockMatrix<double> A(std::move(rows), nodes, nodes);
     BlockGaussSeidel    smoother;
     smoother.reinit(A);
+    const BlockMatrix<float> single{BlockMatrix<double>(A)};
+    smoother.use(single);
     const NodeSpace    &space = A.column_space();
     const unsigned int  n     = space.n_owned_unknowns();
     std::vector<double> u, residual, again(n), b = vector_of(space);
     smoother.solve(u, residual, b);
-    A.residual(again, u, b);
+    single.residual(again, u, b);
+    // of the diagonal blocks the inverses are in double precision
     print("leave the residual that they say",
-          difference(again, residual, n) < 1e-12);
+          difference(again, residual, n) < 1e-6);
 
     std::vector<double> from_zero = u;
     std::fill(u.begin(), u.end(), 0.);
@@ -397,7 +400,7 @@ namespace
       {
         space.update_ghosts(u);
         std::fill(b.begin(), b.end(), 0.);
-        A.vmult_add(b, u);
+        single.vmult_add(b, u);
         smoother.solve(u, residual, b);
         double square = 0.;
         for (unsigned int i = 0; i < n; ++i)
