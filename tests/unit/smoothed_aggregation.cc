@@ -117,8 +117,9 @@ namespace
       for (unsigned int i = begin; i < end; ++i)
         for (int k = 0; k < 27; ++k)
           {
+            const int          layer = k / 9, row = k / 3 % 3;
             const Tensor<1, 3> step =
-              Point<3>(k % 3, k / 3 % 3, k / 9) - Point<3>(1., 1., 1.);
+              Point<3>(k % 3, row, layer) - Point<3>(1., 1., 1.);
             const Point<3> neighbour = position(i) + step;
             if (k != 13 &&
                 std::min({neighbour[0], neighbour[1], neighbour[2]}) >= 0. &&
