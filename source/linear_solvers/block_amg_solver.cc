@@ -158,7 +158,6 @@ namespace stickslip
     product.vmult_displacements(matrix_times_x, x);
     for (std::size_t i = 0; i < residual.size(); ++i)
       residual[i] = unscaled[i] - matrix_times_x[i];
-    correction.resize(b.size(), 0.);
     interface.solve(correction, residual);
     for (std::size_t i = 0; i < x.size(); ++i)
       x[i] += correction[i];

@@ -19,8 +19,8 @@ namespace stickslip
 
 
 
-    /// Calls visit(row, number of entries, values, local columns) for the owned
-    /// rows.
+    /// Calls visit(row, number of entries, values, local columns) for an owned
+    /// row.
     template <typename Visitor>
     void
     visit_row(const Epetra_CrsMatrix &matrix,
@@ -37,6 +37,7 @@ namespace stickslip
 
 
 
+    /// The same for all owned rows.
     template <typename Visitor>
     void
     visit_rows(const Epetra_CrsMatrix &matrix, const Visitor &visit)

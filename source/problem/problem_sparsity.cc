@@ -152,7 +152,7 @@ namespace stickslip
     const std::vector<IndexSet> writable    = {
          with_what_they_hang_on(contact.needed_displacements(), constraints),
          multipliers.locally_relevant()};
-    // Trilinos' own patterns take several times as long to fill.
+    // Trilinos' own patterns take twice as long to fill.
     BlockDynamicSparsityPattern          pattern(writable);
     std::vector<types::global_dof_index> cell_dofs(dofs.fe.n_dofs_per_cell());
     for (const auto &cell : dofs.dof_handler.active_cell_iterators())

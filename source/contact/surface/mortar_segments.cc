@@ -261,11 +261,14 @@ namespace stickslip
                 !(shape.is_triangle() && shape.degree() > 1)
               ? exact_rule
               : other_rule;
+          const auto overlap =
+            simplices<dim - 1>(intersection<dim - 1>(cell, other));
+          if (overlap.empty())
+            continue;
           const double smallest = negligible_segment * measure<dim - 1>(cell);
           const ParametricMap<dim> on_slave(shape, slave.projected, i);
           const ParametricMap<dim> on_master(shape, opposite.projected, j);
-          for (const auto &simplex :
-               simplices<dim - 1>(intersection<dim - 1>(cell, other)))
+          for (const auto &simplex : overlap)
             {
               const double area = measure<dim - 1>(simplex);
               if (area <= smallest)
@@ -340,6 +343,8 @@ namespace stickslip
                                                     : opposite.projected.corners[j];
               const unsigned int edge = on_slave ? *slave_edge : *master_edge;
               const unsigned int next = (edge + 1) % cell.size();
+              const ParametricMap<dim> eta(shape, opposite.projected, j);
+              const ParametricMap<dim> xi(shape, slave.projected, c);
               for (unsigned int q = 0; q < edge_rule.size(); ++q)
                 {
                   Point<dim - 1> p      = border.begin;
@@ -356,9 +361,8 @@ namespace stickslip
                   if constexpr (dim == 3)
                     end.share = (p - cell[edge]).norm() /
                                 (cell[next] - cell[edge]).norm();
-                  end.eta =
-                    ParametricMap<dim>(shape, opposite.projected, j).at(p);
-                  end.xi = ParametricMap<dim>(shape, slave.projected, c).at(p);
+                  end.eta = eta.at(p);
+                  end.xi  = xi.at(p);
                   for (unsigned int d = 0; d < dim - 1; ++d)
                     end.outward += border.outward[d] * plane.e[d];
                   if (!find_above(p,

@@ -10,7 +10,7 @@ namespace stickslip
   namespace
   {
     /// y_r += factor * sum_k a_rk x_k for the rows r of @p a, which begin
-    /// @p stride apart: three at a time, those of a node.
+    /// @p stride apart.
     template <typename Number>
     [[gnu::always_inline]] inline void
     add_products(const double       factor,
@@ -23,67 +23,31 @@ namespace stickslip
     {
       using namespace FourLanes;
       const unsigned int n_full = n - n % 4;
-      unsigned int       r      = 0;
-      for (; r + 3 <= n_rows; r += 3, a += 3 * stride)
+      for (unsigned int r = 0; r < n_rows; ++r, a += stride)
         {
-          const Number *const b = a + stride, *const c = b + stride;
-          Lanes of_a = zero(), of_b = zero(), of_c = zero();
+          Lanes lanes = zero();
           for (unsigned int k = 0; k < n_full; k += 4)
-            {
-              const Lanes values = load(x + k);
-              of_a += load(a + k) * values;
-              of_b += load(b + k) * values;
-              of_c += load(c + k) * values;
-            }
-          double sum_a = sum(of_a), sum_b = sum(of_b), sum_c = sum(of_c);
+            lanes += load(a + k) * load(x + k);
+          double product = sum(lanes);
           for (unsigned int k = n_full; k < n; ++k)
-            {
-              sum_a += a[k] * x[k];
-              sum_b += b[k] * x[k];
-              sum_c += c[k] * x[k];
-            }
-          y[r] += factor * sum_a;
-          y[r + 1] += factor * sum_b;
-          y[r + 2] += factor * sum_c;
-        }
-      for (; r < n_rows; ++r, a += stride)
-        {
-          Lanes of_a = zero();
-          for (unsigned int k = 0; k < n_full; k += 4)
-            of_a += load(a + k) * load(x + k);
-          double sum_a = sum(of_a);
-          for (unsigned int k = n_full; k < n; ++k)
-            sum_a += a[k] * x[k];
-          y[r] += factor * sum_a;
+            product += a[k] * x[k];
+          y[r] += factor * product;
         }
     }
 
 
 
+    /// The same for the matrices of the cycle.
     STICKSLIP_VECTORIZED void
-    add_panel(const double       factor,
-              const float       *a,
-              const unsigned int stride,
-              const unsigned int n_rows,
-              const double      *x,
-              const unsigned int n,
-              double            *y)
+    add_products(const double       factor,
+                 const float       *a,
+                 const unsigned int stride,
+                 const unsigned int n_rows,
+                 const double      *x,
+                 const unsigned int n,
+                 double            *y)
     {
-      add_products(factor, a, stride, n_rows, x, n, y);
-    }
-
-
-
-    STICKSLIP_VECTORIZED void
-    add_panel(const double       factor,
-              const double      *a,
-              const unsigned int stride,
-              const unsigned int n_rows,
-              const double      *x,
-              const unsigned int n,
-              double            *y)
-    {
-      add_products(factor, a, stride, n_rows, x, n, y);
+      add_products<float>(factor, a, stride, n_rows, x, n, y);
     }
   } // namespace
 
@@ -186,13 +150,13 @@ namespace stickslip
                                         double                    *y) const
   {
     const unsigned int n = gather(first, end, x);
-    add_panel(-1.,
-              panel(row) + offset,
-              widths[row],
-              height(row),
-              gathered.data(),
-              n,
-              y);
+    add_products(-1.,
+                 panel(row) + offset,
+                 widths[row],
+                 height(row),
+                 gathered.data(),
+                 n,
+                 y);
   }
 
 
@@ -224,13 +188,13 @@ namespace stickslip
       {
         const unsigned int n =
           gather(rows.column_begins[row], rows.column_begins[row + 1], x);
-        add_panel(1.,
-                  panel(row),
-                  n,
-                  height(row),
-                  gathered.data(),
-                  n,
-                  y.data() + row_begins[row]);
+        add_products(1.,
+                     panel(row),
+                     n,
+                     height(row),
+                     gathered.data(),
+                     n,
+                     y.data() + row_begins[row]);
       }
   }
 
