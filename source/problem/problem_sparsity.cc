@@ -180,6 +180,10 @@ namespace stickslip
             is_same_place = pair.mortar && entry != known_couplings.end() &&
                             is_coupling_of(*entry, p, place);
           }
+        // neighbouring master faces share nodes; each may be named once
+        std::sort(coupled.begin(), coupled.end());
+        coupled.erase(std::unique(coupled.begin(), coupled.end()),
+                      coupled.end());
         constraints.add_entries_local_to_global(coupled, pattern, false);
       }
     // open and unpaired points have rows of their own
