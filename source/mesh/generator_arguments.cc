@@ -1,5 +1,6 @@
 #include <stickslip/mesh/generator_arguments.h>
 
+#include <stickslip/base/short_number.h>
 #include <stickslip/base/user_error.h>
 
 #include <deal.II/base/utilities.h>
@@ -8,7 +9,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <optional>
-#include <sstream>
 
 namespace stickslip
 {
@@ -84,16 +84,6 @@ namespace stickslip
       char        *end   = nullptr;
       const double value = std::strtod(text.c_str(), &end);
       return end == text.c_str() ? std::optional<double>() : value;
-    }
-
-
-
-    std::string
-    short_number(const double value)
-    {
-      std::ostringstream text;
-      text << value;
-      return text.str();
     }
 
 

@@ -257,7 +257,10 @@ namespace stickslip
     // Twins come from the same numbers, so that roundoff does not part them.
     constexpr double tolerance = 1e-9;
 
-    const double                    size = GridTools::diameter(triangulation);
+    // not GridTools::diameter(): quadratic in the number of boundary vertices
+    const auto ends =
+      GridTools::compute_bounding_box(triangulation).get_boundary_points();
+    const double                    size = ends.first.distance(ends.second);
     std::set<std::array<long, dim>> places;
     std::string                     where;
     unsigned int                    n_seams = 0;

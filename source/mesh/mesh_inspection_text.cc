@@ -1,6 +1,7 @@
 #include <stickslip/mesh/mesh_inspection_text.h>
 
-#include <cstdio>
+#include <stickslip/base/short_number.h>
+
 #include <ostream>
 #include <string>
 #include <vector>
@@ -9,16 +10,6 @@ namespace stickslip
 {
   namespace
   {
-    std::string
-    short_number(const double value)
-    {
-      char text[32];
-      std::snprintf(text, sizeof(text), "%.6g", value);
-      return text;
-    }
-
-
-
     std::string
     point_in_words(const Point<3> &point, const unsigned int dim)
     {

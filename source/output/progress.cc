@@ -1,29 +1,14 @@
 #include <stickslip/output/progress.h>
 
 #include <stickslip/base/duration.h>
+#include <stickslip/base/short_number.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 namespace stickslip
 {
   using namespace dealii;
-
-  namespace
-  {
-    /// Six digits are enough for times on the screen.
-    std::string
-    short_number(const double value)
-    {
-      std::ostringstream text;
-      text << std::setprecision(6) << value;
-      return text.str();
-    }
-  } // namespace
-
-
 
   Progress::Progress(const Verbosity verbosity,
                      const double    start_time,

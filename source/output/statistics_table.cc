@@ -1,5 +1,6 @@
 #include <stickslip/output/statistics_table.h>
 
+#include <stickslip/base/short_number.h>
 #include <stickslip/base/user_error.h>
 
 #include <stickslip/output/csv.h>
@@ -28,11 +29,7 @@ namespace stickslip
       if (cell.empty())
         return "-";
       if (const std::optional<double> value = number_in_cell(cell))
-        {
-          std::ostringstream text;
-          text << std::setprecision(6) << *value;
-          return text.str();
-        }
+        return short_number(*value);
       std::string text = cell;
       std::replace(text.begin(), text.end(), ' ', '_');
       return text;

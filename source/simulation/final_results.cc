@@ -1,5 +1,7 @@
 #include <stickslip/simulation/final_results.h>
 
+#include <stickslip/base/short_number.h>
+
 #include <stickslip/contact/results/contact_results.h>
 
 #include <stickslip/output/material_fields.h>
@@ -9,7 +11,6 @@
 #include <iomanip>
 #include <map>
 #include <ostream>
-#include <sstream>
 
 namespace stickslip
 {
@@ -63,11 +64,8 @@ namespace stickslip
     for (unsigned int i = 0; i < named_values.size(); ++i)
       {
         const auto &[name, value] = named_values[i];
-        std::ostringstream number;
-        number << std::setprecision(6)
-               << (std::abs(value) < roundoff * largest[families[i]] ? 0.
-                                                                     : value);
-        results.push_back({name, value, number.str()});
+        const bool is_zero = std::abs(value) < roundoff * largest[families[i]];
+        results.push_back({name, value, short_number(is_zero ? 0. : value)});
       }
     return results;
   }

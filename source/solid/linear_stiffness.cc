@@ -3,6 +3,7 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace stickslip
@@ -27,16 +28,16 @@ namespace stickslip
   template <int dim>
   void
   LinearStiffness<dim>::number_nodes(
-    const std::vector<unsigned int> &first_components,
-    const std::vector<CellIterator> &cells)
+    const std::vector<std::array<unsigned int, dim>> &local,
+    const std::vector<CellIterator>                  &cells)
   {
     std::vector<types::global_dof_index> cell_dofs, firsts;
     for (const CellIterator &cell : cells)
       {
         cell_dofs.resize(cell->get_fe().n_dofs_per_cell());
         cell->get_dof_indices(cell_dofs);
-        for (const unsigned int i : first_components)
-          firsts.push_back(cell_dofs[i]);
+        for (const auto &components : local)
+          firsts.push_back(cell_dofs[components[0]]);
       }
     std::sort(firsts.begin(), firsts.end());
     firsts.erase(std::unique(firsts.begin(), firsts.end()), firsts.end());
@@ -54,11 +55,13 @@ namespace stickslip
                                  const std::vector<CellIterator> &cells,
                                  const CellStiffness             &stiffness_of)
   {
-    const unsigned int        n = fe.base_element(0).n_dofs_per_cell();
-    std::vector<unsigned int> first_components;
+    const unsigned int n = fe.base_element(0).n_dofs_per_cell();
+    // deal.II searches a table for each of them
+    std::vector<std::array<unsigned int, dim>> local(n);
     for (unsigned int a = 0; a < n; ++a)
-      first_components.push_back(fe.component_to_system_index(0, a));
-    number_nodes(first_components, cells);
+      for (unsigned int c = 0; c < dim; ++c)
+        local[a][c] = fe.component_to_system_index(c, a);
+    number_nodes(local, cells);
 
     const unsigned int                   n_nodes = dofs.size() / dim;
     std::vector<types::global_dof_index> cell_dofs(fe.n_dofs_per_cell());
@@ -67,10 +70,9 @@ namespace stickslip
       cell->get_dof_indices(cell_dofs);
       for (unsigned int a = 0; a < n; ++a)
         {
-          const auto first = cell_dofs[first_components[a]];
+          const auto first = cell_dofs[local[a][0]];
           for (unsigned int c = 0; c < dim; ++c)
-            AssertDimension(cell_dofs[fe.component_to_system_index(c, a)],
-                            first + c);
+            AssertDimension(cell_dofs[local[a][c]], first + c);
           nodes[a] =
             (std::lower_bound(dofs.begin(), dofs.end(), first) - dofs.begin()) /
             dim;
@@ -98,9 +100,7 @@ namespace stickslip
                 values.data() + blocks(nodes[a], nodes[b]) * dim * dim;
               for (unsigned int i = 0; i < dim; ++i)
                 for (unsigned int k = 0; k < dim; ++k)
-                  block[i * dim + k] +=
-                    stiffness(fe.component_to_system_index(i, a),
-                              fe.component_to_system_index(k, b));
+                  block[i * dim + k] += stiffness(local[a][i], local[b][k]);
             }
       }
   }

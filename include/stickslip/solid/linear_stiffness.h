@@ -9,6 +9,7 @@
 #include <deal.II/lac/sparsity_pattern.h>
 #include <deal.II/lac/vector.h>
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -59,9 +60,10 @@ namespace stickslip
     SparsityPattern                      blocks; ///< by node
     std::vector<double> values; ///< [block * dim^2 + row * dim + column]
 
+    /// @p local are the degrees of freedom of the nodes of a cell.
     void
-    number_nodes(const std::vector<unsigned int> &first_components,
-                 const std::vector<CellIterator> &cells);
+    number_nodes(const std::vector<std::array<unsigned int, dim>> &local,
+                 const std::vector<CellIterator>                  &cells);
 
     void
     vmult(Vector<double> &y, const Vector<double> &x) const;

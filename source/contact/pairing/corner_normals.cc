@@ -159,15 +159,11 @@ namespace stickslip
       columns_of(const typename MortarNode<dim>::Around &around,
                  const unsigned int                      master) const
       {
-        std::vector<unsigned int> columns;
-        for (const unsigned int k : around.stencil)
-          for (unsigned int c = 0; c < dim; ++c)
-            columns.push_back(k * dim + c);
-        const SurfaceFace<dim> &face = patch.face(master);
+        const SurfaceFace<dim>   &face = patch.face(master);
+        std::vector<unsigned int> master_nodes;
         for (unsigned int k = 0; k < face.n_nodes; ++k)
-          for (unsigned int c = 0; c < dim; ++c)
-            columns.push_back(numbers.at(face.dofs[k * dim]) * dim + c);
-        return columns;
+          master_nodes.push_back(numbers.at(face.dofs[k * dim]));
+        return around.columns(0, master_nodes);
       }
 
       Tensor<1, dim - 1>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace stickslip
 {
@@ -23,67 +24,85 @@ namespace stickslip
 
 
 
-    /// Where the segments of a candidate are when the slave and the master
-    /// nodes are there: the mean over them.
-    template <int dim>
-    void
-    middle_of_segments(const std::vector<SegmentPoint<dim>> &points,
-                       const FaceShape<dim>                 &shape,
-                       const std::vector<Tensor<1, dim>>    &slave,
-                       const std::vector<Tensor<1, dim>>    &master,
-                       Tensor<1, dim>                       &on_slave,
-                       Tensor<1, dim>                       &on_master)
+    /// Shape functions of the slave and of the master face, their means over
+    /// the segments of a candidate.
+    struct MeanShape
     {
-      std::vector<double> N, N_master;
+      std::vector<double> slave;
+      std::vector<double> master;
+    };
+
+
+
+    template <int dim>
+    MeanShape
+    mean_shape(const std::vector<SegmentPoint<dim>> &points,
+               const FaceShape<dim>                 &shape)
+    {
+      const unsigned int  n = shape.n_nodes();
+      MeanShape           mean{std::vector<double>(n), std::vector<double>(n)};
+      std::vector<double> N;
       double              area = 0.;
+      const auto          add  = [&](const Point<dim - 1> &xi,
+                           const double          weight,
+                           std::vector<double>  &sum) {
+        shape.evaluate_values(xi, N);
+        for (unsigned int j = 0; j < n; ++j)
+          sum[j] += weight * N[j];
+      };
       for (const auto &point : points)
         {
-          shape.evaluate_values(point.xi, N);
-          shape.evaluate_values(point.eta, N_master);
           area += point.weight;
-          on_slave += point.weight * interpolate<dim>(N, slave);
-          on_master += point.weight * interpolate<dim>(N_master, master);
+          add(point.xi, point.weight, mean.slave);
+          add(point.eta, point.weight, mean.master);
         }
-      on_slave /= area;
-      on_master /= area;
+      for (unsigned int j = 0; j < n; ++j)
+        {
+          mean.slave[j] /= area;
+          mean.master[j] /= area;
+        }
+      return mean;
     }
 
 
 
+    /// Where the segments of a candidate are, were and are without deformation:
+    /// the means over them.
     template <int dim>
     void
-    measure_candidate(const MortarFace<dim>      &slave,
-                      const ProjectionPlane<dim> &plane,
-                      const MasterPatch<dim>     &patch,
-                      FaceCandidate<dim>         &candidate)
+    measure_candidate(const MortarFace<dim>  &slave,
+                      const Tensor<1, dim>   &n,
+                      const Tensor<1, dim>   &old_n,
+                      const MasterPatch<dim> &patch,
+                      FaceCandidate<dim>     &candidate)
     {
-      const FaceShape<dim> &shape   = patch.face_shape();
-      auto                 &middle  = candidate.middle;
-      auto                 &partner = candidate.partner;
+      const MeanShape mean   = mean_shape(candidate.points, patch.face_shape());
+      auto           &middle = candidate.middle;
+      auto           &partner = candidate.partner;
       for (const auto &point : candidate.points)
         candidate.area += point.weight;
-      middle_of_segments(candidate.points,
-                         shape,
-                         slave.positions,
-                         patch.configuration(candidate.master).positions,
-                         middle.x,
-                         partner.x);
-      candidate.distance = std::abs((partner.x - middle.x) * plane.n);
-      middle.normal      = plane.n;
+      middle.x = interpolate<dim>(mean.slave, slave.positions);
+      partner.x =
+        interpolate<dim>(mean.master,
+                         patch.configuration(candidate.master).positions);
+      candidate.distance = std::abs((partner.x - middle.x) * n);
+      middle.normal      = n;
       middle.thickness   = slave.face.thickness;
       middle.face_nodes  = &slave.positions;
       partner.face       = candidate.master;
-      partner.n          = plane.n;
-      if (!patch.tolerances.is_own_master && is_level(middle, partner, patch))
+      partner.n          = n;
+      if (patch.tolerances.is_own_master)
+        candidate.through =
+          interpolate<dim>(mean.master,
+                           patch.face(candidate.master).undeformed_nodes()) -
+          interpolate<dim>(mean.slave, slave.face.undeformed_nodes());
+      else if (is_level(middle, partner, patch))
         return;
-      middle_of_segments(candidate.points,
-                         shape,
-                         slave.old_positions,
-                         patch.old_configuration(candidate.master).positions,
-                         middle.x_old,
-                         partner.x_old);
-      partner.n_old =
-        projection_plane(slave.face, shape, slave.old_positions).n;
+      middle.x_old = interpolate<dim>(mean.slave, slave.old_positions);
+      partner.x_old =
+        interpolate<dim>(mean.master,
+                         patch.old_configuration(candidate.master).positions);
+      partner.n_old = old_n;
     }
 
 
@@ -109,15 +128,13 @@ namespace stickslip
             const FaceCandidate<dim> &candidate,
             const MasterPatch<dim>   &patch)
     {
-      const SurfaceFace<dim>           &master = patch.face(candidate.master);
-      const FaceShape<dim>             &shape  = patch.face_shape();
-      const std::vector<Tensor<1, dim>> nodes  = slave.face.undeformed_nodes();
-      Tensor<1, dim>                    X_s, X_m;
-      middle_of_segments(
-        candidate.points, shape, nodes, master.undeformed_nodes(), X_s, X_m);
-      const Tensor<1, dim> through = X_m - X_s;
-      return through * projection_plane(slave.face, shape, nodes).n <
-               -deepest(slave, master) &&
+      const SurfaceFace<dim> &master  = patch.face(candidate.master);
+      const Tensor<1, dim>   &through = candidate.through;
+      const Tensor<1, dim>    n       = projection_plane(slave.face,
+                                                patch.face_shape(),
+                                                slave.face.undeformed_nodes())
+                                 .n;
+      return through * n < -deepest(slave, master) &&
              through.norm() <=
                thick * std::min(slave.face.thickness, master.thickness);
     }
@@ -255,11 +272,15 @@ namespace stickslip
     auto                 &projected = seen.projected;
     plane     = projection_plane(slave.face, shape, slave.positions);
     projected = project(shape, slave.positions, plane);
+    const Tensor<1, dim> old_n =
+      projection_plane(slave.face, shape, slave.old_positions).n;
     for (const unsigned int m : patch.faces_near(slave.positions))
       {
-        const auto &nodes  = patch.configuration(m).positions;
-        const auto  master = projection_plane(patch.face(m), shape, nodes);
-        if (-(master.n * plane.n) <= patch.tolerances.least_cosine)
+        const auto &nodes = patch.configuration(m).positions;
+        // most faces near are beside the slave face
+        if (!may_meet(projected, plane, nodes, shape.n_nodes()) ||
+            -(projection_plane(patch.face(m), shape, nodes).n * plane.n) <=
+              patch.tolerances.least_cosine)
           continue;
         FaceCandidate<dim> candidate;
         candidate.master    = m;
@@ -272,13 +293,13 @@ namespace stickslip
                         candidate.points);
         if (candidate.points.empty())
           continue;
-        measure_candidate(slave, plane, patch, candidate);
+        measure_candidate(slave, plane.n, old_n, patch, candidate);
         if (candidate.distance > patch.tolerances.search_distance ||
             !(patch.tolerances.is_own_master
                 ? can_meet(slave, candidate, patch)
                 : can_be_partners(candidate.middle, candidate.partner, patch)))
           continue;
-        seen.candidates.push_back(candidate);
+        seen.candidates.push_back(std::move(candidate));
       }
     if (covered_area(seen.candidates) > (1. + no_overlap) * slave.area ||
         are_apart(seen.candidates, patch))

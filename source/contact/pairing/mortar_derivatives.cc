@@ -1,8 +1,7 @@
 #include <stickslip/contact/pairing/mortar_derivatives.h>
 
-#include <stickslip/base/vectorized.h>
-
 #include <stickslip/contact/pairing/corner_normals.h>
+#include <stickslip/contact/pairing/end_sums.h>
 #include <stickslip/contact/pairing/partner_motion.h>
 #include <stickslip/contact/pairing/tool_motion.h>
 
@@ -27,68 +26,8 @@ namespace stickslip
         numbers[average.master_dofs[l * dim]] = l;
       return numbers;
     }
-
-
-
-    /// Columns of the nodes of a face around a mortar node, and of those of a
-    /// master face, whose numbers are @p masters.
-    template <int dim>
-    std::vector<unsigned int>
-    columns_of(const typename MortarNode<dim>::Around &around,
-               const unsigned int                      n_slave,
-               const std::vector<unsigned int>        &masters)
-    {
-      std::vector<unsigned int> columns;
-      for (const unsigned int k : around.stencil)
-        for (unsigned int c = 0; c < dim; ++c)
-          columns.push_back(k * dim + c);
-      for (const unsigned int k : masters)
-        for (unsigned int c = 0; c < dim; ++c)
-          columns.push_back((n_slave + k) * dim + c);
-      return columns;
-    }
-
-
-
-    /// Row @p row of @p sums += factor * values.
-    STICKSLIP_VECTORIZED void
-    add_to_row(const unsigned int         row,
-               const double               factor,
-               const std::vector<double> &values,
-               FullMatrix<double>        &sums)
-    {
-      using namespace FourLanes;
-      double *const      sum    = &sums(row, 0);
-      const unsigned int n      = values.size();
-      const unsigned int n_full = n - n % 4;
-      for (unsigned int k = 0; k < n_full; k += 4)
-        store(sum + k, load(sum + k) + factor * load(&values[k]));
-      for (unsigned int k = n_full; k < n; ++k)
-        sum[k] += factor * values[k];
-    }
-
-
-
-    /// What the motion of the ends of segments of one master face changes,
-    /// along the columns of its nodes and the slave's: sums over these ends of
-    /// the border's motion times factors.
-    struct EndSums
-    {
-      FullMatrix<double> area;      ///< [0]: derivative of the area
-      FullMatrix<double> of_slave;  ///< psi_l N_k of the slave
-      FullMatrix<double> of_master; ///< psi_l N_k of the master
-      FullMatrix<double> of_dual;   ///< y_m, where D psi_l = sum_m y_m psi_m
-
-      EndSums(const unsigned int n_nodes,
-              const unsigned int n_multipliers,
-              const unsigned int n_columns)
-        : area(1, n_columns)
-        , of_slave(n_nodes, n_columns)
-        , of_master(n_nodes, n_columns)
-        , of_dual(n_multipliers, n_columns)
-      {}
-    };
   } // namespace
+
 
 
   template <int dim>
@@ -170,53 +109,21 @@ namespace stickslip
     const std::vector<std::vector<unsigned int>> &rows,
     MortarDerivative<dim>                        &derivative) const
   {
-    const unsigned int       n       = displacement_shape.n_nodes();
-    const unsigned int       l       = around.multiplier;
-    const unsigned int       n_slave = derivative.D_D.m();
+    const unsigned int       n = displacement_shape.n_nodes();
+    const unsigned int       l = around.multiplier;
     const PartnerMotion<dim> partners(displacement_shape, slave);
 
     const unsigned int n_multipliers = multiplier_shape.n_nodes();
-    const EndSums      none(n, n_multipliers, 2 * n * dim);
-    EndSums            sums(none);
-
-    const auto add_sums = [&](const unsigned int master) {
-      const auto columns = columns_of<dim>(around, n_slave, rows[master]);
-      const auto add     = [&](const double              factor,
-                           const FullMatrix<double> &values,
-                           const unsigned int        of_row,
-                           FullMatrix<double>       &D,
-                           const unsigned int        row) {
-        if (factor != 0.)
-          for (unsigned int k = 0; k < columns.size(); ++k)
-            D(row, columns[k]) += factor * values(of_row, k);
-      };
-      for (unsigned int k = 0; k < columns.size(); ++k)
-        derivative.D_area[columns[k]] += sums.area(0, k);
-      for (unsigned int j = 0; j < n; ++j)
-        {
-          const unsigned int own = around.stencil[j];
-          add(1., sums.of_slave, j, derivative.D_D, own);
-          add(1., sums.of_master, j, derivative.D_M, rows[master][j]);
-          for (unsigned int m = 0; m < n_multipliers; ++m)
-            {
-              add(integrals.D(m, j), sums.of_dual, m, derivative.D_D, own);
-              for (unsigned int i = 0; i < rows.size(); ++i)
-                add(integrals.M[i](m, j),
-                    sums.of_dual,
-                    m,
-                    derivative.D_M,
-                    rows[i][j]);
-            }
-        }
-      sums = none;
-    };
+    EndSums<dim>       sums(n, n_multipliers);
 
     std::vector<double> L, N, N_master, motion;
     unsigned int        master = segments.ends.front().master;
     for (const SegmentEnd<dim> &end : segments.ends)
       {
         if (end.master != master) // those of one follow each other
-          add_sums(master);
+          {
+            sums.move_to(derivative, around, integrals, rows, master);
+          }
         master = end.master;
         multiplier_shape.evaluate_values(end.xi, L);
         displacement_shape.evaluate_values(end.xi, N);
@@ -230,8 +137,8 @@ namespace stickslip
         double       of_area = psi;
         for (unsigned int k = 0; k < n; ++k)
           {
-            add_to_row(k, psi * N[k], motion, sums.of_slave);
-            add_to_row(k, psi * N_master[k], motion, sums.of_master);
+            sums.add_to_slave(k, psi * N[k], motion);
+            sums.add_to_master(k, psi * N_master[k], motion);
           }
         // dual functions stay dual on the part that has a master:
         // D psi_l = sum_m y_m psi_m, y_m from the derivative of D M^-1
@@ -244,11 +151,11 @@ namespace stickslip
               const double y =
                 ((m == l ? phi : 0.) - psi * phi) / integrals.area[m];
               of_area += y * integrals.area[m];
-              add_to_row(m, y, motion, sums.of_dual);
+              sums.add_to_dual(m, y, motion);
             }
-        add_to_row(0, of_area, motion, sums.area);
+        sums.add_to_area(of_area, motion);
       }
-    add_sums(master);
+    sums.move_to(derivative, around, integrals, rows, master);
   }
 
 
@@ -372,7 +279,7 @@ namespace stickslip
             const SurfaceFace<dim> &master = patch.face(of_face.masters[i]);
             for (unsigned int k = 0; k < n; ++k)
               rows[i].push_back(numbers.at(master.dofs[k * dim]));
-            const auto columns = columns_of<dim>(around, n_slave, rows[i]);
+            const auto columns = around.columns(n_slave, rows[i]);
             for (unsigned int l = 0; l < n; ++l)
               for (unsigned int k = 0; k < columns.size(); ++k)
                 derivative.D_M(rows[i][l], columns[k]) += D_M[i](l, k);

@@ -20,14 +20,12 @@ namespace stickslip
 
 
 
-    /// Edges (2D: nodes) of cell @p j of a face, as add_ends() counts them.
+    /// Edges (2D: nodes) of a cell of a face, as add_ends() counts them.
     template <int dim>
     std::vector<Edge>
-    edges_of(const SurfaceFace<dim>   &face,
-             const ProjectedFace<dim> &projected,
-             const unsigned int        j)
+    edges_of(const SurfaceFace<dim> &face, const NodeCell<dim> &cell)
     {
-      const auto       &corners = projected.corners[j];
+      const auto       &corners = cell.corners;
       std::vector<Edge> edges;
       for (unsigned int i = 0; i < corners.size(); ++i)
         {
@@ -47,12 +45,12 @@ namespace stickslip
 
     template <int dim>
     void
-    count_edges(const SurfaceFace<dim>   &face,
-                const ProjectedFace<dim> &projected,
-                EdgeCounts               &n_cells)
+    count_edges(const SurfaceFace<dim> &face,
+                const FaceShape<dim>   &shape,
+                EdgeCounts             &n_cells)
     {
-      for (unsigned int j = 0; j < projected.cells.size(); ++j)
-        for (const Edge &edge : edges_of(face, projected, j))
+      for (const auto &cell : shape.cells())
+        for (const Edge &edge : edges_of(face, cell))
           ++n_cells[edge];
     }
 
@@ -61,14 +59,17 @@ namespace stickslip
     /// Edges that only one of the counted cells has.
     template <int dim>
     std::vector<std::vector<bool>>
-    outer_edges(const SurfaceFace<dim>   &face,
-                const ProjectedFace<dim> &projected,
-                const EdgeCounts         &n_cells)
+    outer_edges(const SurfaceFace<dim> &face,
+                const FaceShape<dim>   &shape,
+                const EdgeCounts       &n_cells)
     {
-      std::vector<std::vector<bool>> is_outer(projected.cells.size());
-      for (unsigned int j = 0; j < is_outer.size(); ++j)
-        for (const Edge &edge : edges_of(face, projected, j))
-          is_outer[j].push_back(n_cells.at(edge) == 1);
+      std::vector<std::vector<bool>> is_outer;
+      for (const auto &cell : shape.cells())
+        {
+          is_outer.emplace_back();
+          for (const Edge &edge : edges_of(face, cell))
+            is_outer.back().push_back(n_cells.at(edge) == 1);
+        }
       return is_outer;
     }
 
@@ -78,11 +79,11 @@ namespace stickslip
     /// neighbours meet on the straight line between nodes only nearly.
     template <int dim>
     std::vector<std::vector<bool>>
-    own_edges(const SurfaceFace<dim> &face, const ProjectedFace<dim> &projected)
+    own_edges(const SurfaceFace<dim> &face, const FaceShape<dim> &shape)
     {
       EdgeCounts n_cells;
-      count_edges(face, projected, n_cells);
-      return outer_edges(face, projected, n_cells);
+      count_edges(face, shape, n_cells);
+      return outer_edges(face, shape, n_cells);
     }
 
 
@@ -100,10 +101,11 @@ namespace stickslip
              const MasterPatch<dim>          &patch,
              FaceSegments<dim>               &segments)
     {
-      EdgeCounts n_cells;
+      const FaceShape<dim> &shape = rule.face_shape();
+      EdgeCounts            n_cells;
       for (const auto &candidate : candidates)
-        count_edges(patch.face(candidate.master), candidate.projected, n_cells);
-      projected.moving_edges = own_edges(slave.face, projected);
+        count_edges(patch.face(candidate.master), shape, n_cells);
+      projected.moving_edges = own_edges(slave.face, shape);
       if (!is_curved) // a straight edge of the slave stays where it is on it
         for (auto &edges : projected.moving_edges)
           edges.assign(edges.size(), false);
@@ -111,8 +113,8 @@ namespace stickslip
         {
           const SurfaceFace<dim> &master = patch.face(candidates[i].master);
           auto                   &face   = candidates[i].projected;
-          face.moving_edges              = is_curved ? own_edges(master, face)
-                                                     : outer_edges(master, face, n_cells);
+          face.moving_edges              = is_curved ? own_edges(master, shape)
+                                                     : outer_edges(master, shape, n_cells);
           rule.add_ends(plane,
                         {slave.positions, projected},
                         slave.face.reference_positions,

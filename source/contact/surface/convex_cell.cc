@@ -17,7 +17,7 @@ namespace stickslip
 
 
     double
-    signed_area(const std::vector<Point<2>> &polygon)
+    signed_area(const ConvexCell<2> &polygon)
     {
       double twice = 0.;
       for (unsigned int i = 2; i < polygon.size(); ++i)
@@ -28,22 +28,26 @@ namespace stickslip
 
 
     /// The part of @p polygon to the left of the line from @p a to @p b.
-    std::vector<Point<2>>
-    left_part(const std::vector<Point<2>> &polygon,
-              const Point<2>              &a,
-              const Point<2>              &b)
+    ConvexCell<2>
+    left_part(const ConvexCell<2> &polygon,
+              const Point<2>      &a,
+              const Point<2>      &b)
     {
-      std::vector<Point<2>> part;
+      ConvexCell<2> part;
+      if (polygon.empty())
+        return part;
+      double d_p = turn(a, b, polygon[0]);
       for (unsigned int i = 0; i < polygon.size(); ++i)
         {
-          const Point<2> &p   = polygon[i];
-          const Point<2> &q   = polygon[(i + 1) % polygon.size()];
-          const double    d_p = turn(a, b, p);
-          const double    d_q = turn(a, b, q);
+          const bool      is_last = i + 1 == polygon.size();
+          const Point<2> &p       = polygon[i];
+          const Point<2> &q       = polygon[is_last ? 0 : i + 1];
+          const double    d_q     = turn(a, b, q);
           if (d_p >= 0.)
             part.push_back(p);
           if ((d_p > 0. && d_q < 0.) || (d_p < 0. && d_q > 0.))
             part.push_back(p + d_p / (d_p - d_q) * (q - p));
+          d_p = d_q;
         }
       return part;
     }
@@ -67,8 +71,10 @@ namespace stickslip
   double
   measure(const Simplex<facedim> &simplex)
   {
-    return measure<facedim>(
-      ConvexCell<facedim>(simplex.begin(), simplex.end()));
+    if constexpr (facedim == 1)
+      return std::abs(simplex[1][0] - simplex[0][0]);
+    else
+      return 0.5 * std::abs(turn(simplex[0], simplex[1], simplex[2]));
   }
 
 
@@ -106,10 +112,10 @@ namespace stickslip
 
 
   template <int facedim>
-  std::vector<Simplex<facedim>>
+  boost::container::small_vector<Simplex<facedim>, 6>
   simplices(const ConvexCell<facedim> &cell)
   {
-    std::vector<Simplex<facedim>> result;
+    boost::container::small_vector<Simplex<facedim>, 6> result;
     if constexpr (facedim == 1)
       {
         if (!cell.empty())
@@ -126,7 +132,8 @@ namespace stickslip
   template double              measure<facedim>(const Simplex<facedim> &);    \
   template ConvexCell<facedim> intersection(const ConvexCell<facedim> &,      \
                                             const ConvexCell<facedim> &);     \
-  template std::vector<Simplex<facedim>> simplices(const ConvexCell<facedim> &);
+  template boost::container::small_vector<Simplex<facedim>, 6> simplices(     \
+    const ConvexCell<facedim> &);
   INSTANTIATE(1)
   INSTANTIATE(2)
 #undef INSTANTIATE

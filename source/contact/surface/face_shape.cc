@@ -4,6 +4,7 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -13,6 +14,37 @@ namespace stickslip
   {
     /// Largest degree of displacements plus one.
     constexpr unsigned int max_nodes_1d = 7;
+
+
+
+    /// Nodes of a triangle of @p degree 1 or 2 that its cells lie between.
+    std::vector<std::vector<unsigned int>>
+    triangle_cells(const unsigned int degree)
+    {
+      if (degree == 1)
+        return {{0, 1, 2}};
+      return {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
+    }
+
+
+
+    /// The same for lines and quadrilaterals.
+    template <int dim>
+    std::vector<std::vector<unsigned int>>
+    product_cells(const unsigned int degree)
+    {
+      const unsigned int                     n = degree + 1;
+      std::vector<std::vector<unsigned int>> cells;
+      if constexpr (dim == 2)
+        for (unsigned int i = 0; i < degree; ++i)
+          cells.push_back({i, i + 1});
+      else
+        for (unsigned int j = 0; j < degree; ++j)
+          for (unsigned int i = 0; i < degree; ++i)
+            cells.push_back(
+              {j * n + i, j * n + i + 1, (j + 1) * n + i + 1, (j + 1) * n + i});
+      return cells;
+    }
   } // namespace
 
 
@@ -39,6 +71,16 @@ namespace stickslip
             node[d] = nodes_1d[rest % n_1d][0];
           nodes.push_back(node);
         }
+
+    for (const auto &corners :
+         is_triangle() ? triangle_cells(degree) : product_cells<dim>(degree))
+      {
+        Point<dim - 1> centre;
+        for (const unsigned int j : corners)
+          centre +=
+            Tensor<1, dim - 1>(nodes[j]) / static_cast<double>(corners.size());
+        node_cells.push_back({corners, centre});
+      }
 
     evaluate(middle, centre_values);
     node_values.resize(n_nodes());
@@ -95,10 +137,24 @@ namespace stickslip
     if constexpr (dim == 3)
       if (is_triangle())
         return evaluate_triangle_values(degree(), xi, value);
-    value.assign(n_nodes(), 1.);
-    for (unsigned int j = 0; j < n_nodes(); ++j)
-      for (unsigned int d = 0, rest = j; d < dim - 1; ++d, rest /= n_1d)
-        value[j] *= basis[rest % n_1d].value(xi[d]);
+    std::array<std::array<double, max_nodes_1d>, dim - 1> p;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      if (n_1d == 2)
+        {
+          p[d][0] = 1. - xi[d];
+          p[d][1] = xi[d];
+        }
+      else
+        for (unsigned int i = 0; i < n_1d; ++i)
+          p[d][i] = basis[i].value(xi[d]);
+
+    value.resize(n_nodes());
+    if constexpr (dim == 2)
+      std::copy_n(p[0].begin(), n_1d, value.begin());
+    else
+      for (unsigned int k = 0, j = 0; k < n_1d; ++k)
+        for (unsigned int i = 0; i < n_1d; ++i, ++j)
+          value[j] = p[0][i] * p[1][k];
   }
 
 
@@ -151,28 +207,33 @@ namespace stickslip
     shape.gradient.resize(n_nodes());
     if (with_hessians)
       shape.hessian.resize(n_nodes());
-    const auto product = [&](const unsigned int                       j,
-                             const std::array<unsigned int, dim - 1> &order) {
-      double result = 1.;
-      for (unsigned int d = 0, rest = j; d < dim - 1; ++d, rest /= n_1d)
-        result *= p[rest % n_1d][d][order[d]];
-      return result;
-    };
+    std::array<unsigned int, dim - 1> i{}; // of node j along the directions
     for (unsigned int j = 0; j < n_nodes(); ++j)
       {
+        const auto product = [&](const auto &order) {
+          double result = p[i[0]][0][order[0]];
+          if constexpr (dim == 3)
+            result *= p[i[1]][1][order[1]];
+          return result;
+        };
         std::array<unsigned int, dim - 1> order{};
-        shape.value[j] = product(j, order);
+        shape.value[j] = product(order);
         for (unsigned int a = 0; a < dim - 1; ++a)
           {
             ++order[a];
-            shape.gradient[j][a] = product(j, order);
+            shape.gradient[j][a] = product(order);
             for (unsigned int b = 0; with_hessians && b < dim - 1; ++b)
               {
                 ++order[b];
-                shape.hessian[j][a][b] = product(j, order);
+                shape.hessian[j][a][b] = product(order);
                 --order[b];
               }
             --order[a];
+          }
+        if (++i[0] == n_1d)
+          {
+            i[0] = 0;
+            ++i[dim - 2];
           }
       }
   }

@@ -20,34 +20,6 @@ namespace stickslip
       const Tensor<1, 3> t = axis - (axis * n) * n;
       return t / t.norm();
     }
-
-
-
-    /// Numbers of the corner nodes of the cells between nodes of a face.
-    template <int dim>
-    std::vector<std::vector<unsigned int>>
-    cells_between_nodes(const FaceShape<dim> &shape)
-    {
-      if (shape.is_triangle())
-        return shape.degree() == 1
-                 ? std::vector<std::vector<unsigned int>>{{0, 1, 2}}
-                 : std::vector<std::vector<unsigned int>>{{0, 3, 5},
-                                                          {3, 1, 4},
-                                                          {5, 4, 2},
-                                                          {3, 4, 5}};
-      std::vector<std::vector<unsigned int>> cells;
-      const unsigned int                     degree = shape.degree();
-      const unsigned int                     n      = degree + 1;
-      if constexpr (dim == 2)
-        for (unsigned int i = 0; i < degree; ++i)
-          cells.push_back({i, i + 1});
-      else
-        for (unsigned int j = 0; j < degree; ++j)
-          for (unsigned int i = 0; i < degree; ++i)
-            cells.push_back(
-              {j * n + i, j * n + i + 1, (j + 1) * n + i + 1, (j + 1) * n + i});
-      return cells;
-    }
   } // namespace
 
 
@@ -83,32 +55,49 @@ namespace stickslip
           const std::vector<Tensor<1, dim>> &positions,
           const ProjectionPlane<dim>        &plane)
   {
-    std::vector<Point<dim - 1>> nodes;
-    for (unsigned int j = 0; j < shape.n_nodes(); ++j)
-      nodes.push_back(plane.coordinates(positions[j]));
-
     ProjectedFace<dim> face;
-    face.low = face.high = nodes[0];
-    for (const auto &p : nodes)
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        {
-          face.low[d]  = std::min(face.low[d], p[d]);
-          face.high[d] = std::max(face.high[d], p[d]);
-        }
-    face.corners = cells_between_nodes(shape);
-    for (const auto &corners : face.corners)
+    face.low = face.high = plane.coordinates(positions[0]);
+    for (const auto &cell : shape.cells())
       {
         face.cells.emplace_back();
-        Point<dim - 1> centre;
-        for (const unsigned int j : corners)
+        for (const unsigned int j : cell.corners)
           {
-            face.cells.back().push_back(nodes[j]);
-            centre += Tensor<1, dim - 1>(shape.node(j)) /
-                      static_cast<double>(corners.size());
+            const Point<dim - 1> p = plane.coordinates(positions[j]);
+            face.cells.back().push_back(p);
+            for (unsigned int d = 0; d < dim - 1; ++d)
+              {
+                face.low[d]  = std::min(face.low[d], p[d]);
+                face.high[d] = std::max(face.high[d], p[d]);
+              }
           }
-        face.centres.push_back(centre);
       }
     return face;
+  }
+
+
+
+  template <int dim>
+  bool
+  may_meet(const ProjectedFace<dim>          &face,
+           const ProjectionPlane<dim>        &plane,
+           const std::vector<Tensor<1, dim>> &positions,
+           const unsigned int                 n_nodes)
+  {
+    Point<dim - 1> low  = plane.coordinates(positions[0]);
+    Point<dim - 1> high = low;
+    for (unsigned int j = 1; j < n_nodes; ++j)
+      {
+        const Point<dim - 1> p = plane.coordinates(positions[j]);
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          {
+            low[d]  = std::min(low[d], p[d]);
+            high[d] = std::max(high[d], p[d]);
+          }
+      }
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      if (low[d] >= face.high[d] || face.low[d] >= high[d])
+        return false;
+    return true;
   }
 
 
@@ -118,9 +107,10 @@ namespace stickslip
                                     const ProjectedFace<dim> &face,
                                     const unsigned int        cell)
     : corner(face.cells[cell][0])
-    , xi(shape.node(face.corners[cell][0]))
+    , xi(shape.node(shape.cells()[cell].corners[0]))
   {
-    const unsigned int n_corners = face.corners[cell].size();
+    const auto        &corners   = shape.cells()[cell].corners;
+    const unsigned int n_corners = corners.size();
     Tensor<2, dim - 1> in_plane, parametric;
     for (unsigned int d = 0; d < dim - 1; ++d)
       {
@@ -128,23 +118,27 @@ namespace stickslip
         for (unsigned int i = 0; i < dim - 1; ++i)
           {
             in_plane[i][d]   = face.cells[cell][k][i] - corner[i];
-            parametric[i][d] = shape.node(face.corners[cell][k])[i] - xi[i];
+            parametric[i][d] = shape.node(corners[k])[i] - xi[i];
           }
       }
     if (determinant(in_plane) != 0.)
       slope = parametric * invert(in_plane);
     else
-      xi = face.centres[cell];
+      xi = shape.cells()[cell].centre;
   }
 
-#define INSTANTIATE(dim)                                                   \
-  template class ParametricMap<dim>;                                       \
-  template ProjectionPlane<dim> projection_plane(                          \
-    const SurfaceFace<dim> &,                                              \
-    const FaceShape<dim> &,                                                \
-    const std::vector<Tensor<1, dim>> &);                                  \
-  template ProjectedFace<dim> project(const FaceShape<dim> &,              \
-                                      const std::vector<Tensor<1, dim>> &, \
+#define INSTANTIATE(dim)                                                      \
+  template class ParametricMap<dim>;                                          \
+  template bool                 may_meet(const ProjectedFace<dim> &,          \
+                                         const ProjectionPlane<dim> &,        \
+                                         const std::vector<Tensor<1, dim>> &, \
+                                         const unsigned int);                 \
+  template ProjectionPlane<dim> projection_plane(                             \
+    const SurfaceFace<dim> &,                                                 \
+    const FaceShape<dim> &,                                                   \
+    const std::vector<Tensor<1, dim>> &);                                     \
+  template ProjectedFace<dim> project(const FaceShape<dim> &,                 \
+                                      const std::vector<Tensor<1, dim>> &,    \
                                       const ProjectionPlane<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

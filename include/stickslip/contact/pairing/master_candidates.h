@@ -20,6 +20,7 @@ namespace stickslip
     double                         distance = 0.; ///< mean, without sign
     SearchingPoint<dim>            middle;        ///< of the segments, mean
     PossiblePartner<dim>           partner;       ///< opposite
+    Tensor<1, dim> through; ///< undeformed, to the master; of one body only
   };
 
 

@@ -28,6 +28,22 @@ namespace stickslip
       unsigned int multiplier   = 0; ///< the node's number among multipliers
       unsigned int displacement = 0; ///< its number among displacement nodes
       std::vector<unsigned int> stencil; ///< number in the stencil, per node
+
+      /// Columns of the displacements of the face's nodes, and of those of a
+      /// master face; columns of master node k begin at (n_slave + k) * dim.
+      std::vector<unsigned int>
+      columns(const unsigned int               n_slave,
+              const std::vector<unsigned int> &master_nodes) const
+      {
+        std::vector<unsigned int> result;
+        for (const unsigned int k : stencil)
+          for (unsigned int c = 0; c < dim; ++c)
+            result.push_back(k * dim + c);
+        for (const unsigned int k : master_nodes)
+          for (unsigned int c = 0; c < dim; ++c)
+            result.push_back((n_slave + k) * dim + c);
+        return result;
+      }
     };
 
     /// A border of one of these faces where the slave surface ends: from the

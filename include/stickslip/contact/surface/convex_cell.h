@@ -3,8 +3,9 @@
 
 #include <deal.II/base/point.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <array>
-#include <vector>
 
 namespace stickslip
 {
@@ -14,7 +15,7 @@ namespace stickslip
   /// (facedim = 2), in the order of its boundary, either way round. Empty: the
   /// empty set.
   template <int facedim>
-  using ConvexCell = std::vector<Point<facedim>>;
+  using ConvexCell = boost::container::small_vector<Point<facedim>, 8>;
 
   /// Corners of an interval or a triangle.
   template <int facedim>
@@ -40,7 +41,7 @@ namespace stickslip
 
   /// The cell cut into simplices, all with the corner 0.
   template <int facedim>
-  std::vector<Simplex<facedim>>
+  boost::container::small_vector<Simplex<facedim>, 6>
   simplices(const ConvexCell<facedim> &cell);
 } // namespace stickslip
 

@@ -22,6 +22,16 @@ namespace stickslip
     std::vector<Tensor<2, dim - 1>> hessian;
   };
 
+  /// A cell between neighbouring nodes of a face, with straight edges.
+  template <int dim>
+  struct NodeCell
+  {
+    std::vector<unsigned int> corners; ///< nodes, along its border
+    Point<dim - 1>            centre;  ///< parametric
+  };
+
+
+
   /**
    * Lagrange shape functions of a face. They describe positions, displacements
    * and multipliers on slave and master faces alike (paper, eqs. 14 and 15).
@@ -60,6 +70,13 @@ namespace stickslip
 
     const Point<dim - 1> &
     node(const unsigned int j) const;
+
+    /// The cells that the nodes cut the face into: one for degree 1.
+    const std::vector<NodeCell<dim>> &
+    cells() const
+    {
+      return node_cells;
+    }
 
     /// Between two nodes of a face with edges of length 1.
     double
@@ -108,6 +125,7 @@ namespace stickslip
     unsigned int                                 n_1d;
     std::vector<Polynomials::Polynomial<double>> basis;
     std::vector<Point<dim - 1>>                  nodes;
+    std::vector<NodeCell<dim>>                   node_cells;
     Point<dim - 1>                               middle;
     FaceShapeValues<dim>                         centre_values;
     std::vector<FaceShapeValues<dim>>            node_values;

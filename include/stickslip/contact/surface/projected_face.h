@@ -49,15 +49,23 @@ namespace stickslip
   template <int dim>
   struct ProjectedFace
   {
-    std::vector<ConvexCell<dim - 1>>       cells;
-    std::vector<std::vector<unsigned int>> corners; ///< nodes of the cells
+    /// As FaceShape::cells() counts them.
+    boost::container::small_vector<ConvexCell<dim - 1>, 1> cells;
     /// [cell][i]: the edge from corner i to the next one (2D: corner i) moves
     /// over the slave face, and no neighbour takes over what it passes.
     std::vector<std::vector<bool>> moving_edges;
-    std::vector<Point<dim - 1>>    centres; ///< of the cells, parametric
-    Point<dim - 1>                 low;     ///< of all cells
+    Point<dim - 1>                 low; ///< of all cells
     Point<dim - 1>                 high;
   };
+
+  /// False if the projection of a face with @p n_nodes at @p positions has no
+  /// point in common with the box around @p face.
+  template <int dim>
+  bool
+  may_meet(const ProjectedFace<dim>          &face,
+           const ProjectionPlane<dim>        &plane,
+           const std::vector<Tensor<1, dim>> &positions,
+           const unsigned int                 n_nodes);
 
   /// The affine map from a cell of a projected face to parametric coordinates
   /// that takes three corners (2D: two) to their nodes: that of the face

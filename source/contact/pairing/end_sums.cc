@@ -1,0 +1,121 @@
+#include <stickslip/contact/pairing/end_sums.h>
+
+#include <stickslip/base/vectorized.h>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// Row @p row of @p sums += factor * values.
+    STICKSLIP_VECTORIZED void
+    add_to_row(const unsigned int         row,
+               const double               factor,
+               const std::vector<double> &values,
+               FullMatrix<double>        &sums)
+    {
+      using namespace FourLanes;
+      double *const      sum    = &sums(row, 0);
+      const unsigned int n      = values.size();
+      const unsigned int n_full = n - n % 4;
+      for (unsigned int k = 0; k < n_full; k += 4)
+        store(sum + k, load(sum + k) + factor * load(&values[k]));
+      for (unsigned int k = n_full; k < n; ++k)
+        sum[k] += factor * values[k];
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  EndSums<dim>::EndSums(const unsigned int n_nodes,
+                        const unsigned int n_multipliers)
+    : area(1, 2 * n_nodes * dim)
+    , of_slave(n_nodes, 2 * n_nodes * dim)
+    , of_master(n_nodes, 2 * n_nodes * dim)
+    , of_dual(n_multipliers, 2 * n_nodes * dim)
+  {}
+
+
+
+  template <int dim>
+  void
+  EndSums<dim>::add_to_slave(const unsigned int         k,
+                             const double               factor,
+                             const std::vector<double> &motion)
+  {
+    add_to_row(k, factor, motion, of_slave);
+  }
+
+
+
+  template <int dim>
+  void
+  EndSums<dim>::add_to_master(const unsigned int         k,
+                              const double               factor,
+                              const std::vector<double> &motion)
+  {
+    add_to_row(k, factor, motion, of_master);
+  }
+
+
+
+  template <int dim>
+  void
+  EndSums<dim>::add_to_dual(const unsigned int         m,
+                            const double               factor,
+                            const std::vector<double> &motion)
+  {
+    add_to_row(m, factor, motion, of_dual);
+  }
+
+
+
+  template <int dim>
+  void
+  EndSums<dim>::add_to_area(const double               factor,
+                            const std::vector<double> &motion)
+  {
+    add_to_row(0, factor, motion, area);
+  }
+
+
+
+  template <int dim>
+  void
+  EndSums<dim>::move_to(MortarDerivative<dim>                  &derivative,
+                        const typename MortarNode<dim>::Around &around,
+                        const FaceIntegrals<dim>               &integrals,
+                        const std::vector<std::vector<unsigned int>> &rows,
+                        const unsigned int                            master)
+  {
+    const auto columns = around.columns(derivative.D_D.m(), rows[master]);
+    const auto add     = [&](const double              factor,
+                         const FullMatrix<double> &values,
+                         const unsigned int        of_row,
+                         FullMatrix<double>       &D,
+                         const unsigned int        row) {
+      if (factor != 0.)
+        for (unsigned int k = 0; k < columns.size(); ++k)
+          D(row, columns[k]) += factor * values(of_row, k);
+    };
+    for (unsigned int k = 0; k < columns.size(); ++k)
+      derivative.D_area[columns[k]] += area(0, k);
+    for (unsigned int j = 0; j < of_slave.m(); ++j)
+      {
+        const unsigned int own = around.stencil[j];
+        add(1., of_slave, j, derivative.D_D, own);
+        add(1., of_master, j, derivative.D_M, rows[master][j]);
+        for (unsigned int m = 0; m < of_dual.m(); ++m)
+          {
+            add(integrals.D(m, j), of_dual, m, derivative.D_D, own);
+            for (unsigned int i = 0; i < rows.size(); ++i)
+              add(integrals.M[i](m, j), of_dual, m, derivative.D_M, rows[i][j]);
+          }
+      }
+    for (FullMatrix<double> *sums : {&area, &of_slave, &of_master, &of_dual})
+      *sums = 0.;
+  }
+
+  template class EndSums<2>;
+  template class EndSums<3>;
+} // namespace stickslip
