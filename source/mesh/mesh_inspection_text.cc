@@ -2,6 +2,7 @@
 
 #include <stickslip/base/short_number.h>
 
+#include <cstdio>
 #include <ostream>
 #include <string>
 #include <vector>

@@ -356,6 +356,23 @@ namespace stickslip
 
   template <int dim>
   void
+  BoundaryConditions<dim>::measure_distributed_forces(
+    const Mapping<dim>    &mapping,
+    const DoFHandler<dim> &dof_handler) const
+  {
+    for (const Load<dim> &load : all_loads)
+      if (load.distribution)
+        load.distribution->measure(mapping,
+                                   dof_handler,
+                                   load.boundary_ids,
+                                   bodies.cross_section,
+                                   displacements);
+  }
+
+
+
+  template <int dim>
+  void
   BoundaryConditions<dim>::add_periodicity(const DoFHandler<dim> &dof_handler,
                                            Constraints &constraints) const
   {

@@ -3,6 +3,7 @@
 #include <stickslip/mesh/reference_cells.h>
 
 #include <stickslip/solid/direction_parameters.h>
+#include <stickslip/solid/symmetry_cuts.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
@@ -37,6 +38,26 @@ namespace stickslip
       for (unsigned int d = 0; d < dim; ++d)
         result[d] = v[d];
       return result;
+    }
+
+
+
+    /// Of the space that @p directions span (none is a multiple of another).
+    template <int dim>
+    std::vector<Tensor<1, 3>>
+    orthonormal(const std::vector<Tensor<1, dim>> &directions)
+    {
+      constexpr double          none = 1e-6;
+      std::vector<Tensor<1, 3>> basis;
+      for (const auto &direction : directions)
+        {
+          Tensor<1, 3> n = in_space<dim>(direction);
+          for (const auto &m : basis)
+            n -= (n * m) * m;
+          if (n.norm() > none)
+            basis.push_back(n / n.norm());
+        }
+      return basis;
     }
 
 
@@ -108,11 +129,15 @@ namespace stickslip
 
   template <int dim>
   void
-  ForceDistribution<dim>::measure(const Mapping<dim>    &mapping,
-                                  const DoFHandler<dim> &dof_handler,
-                                  const std::set<types::boundary_id> &boundary,
-                                  const CrossSection                 &section)
+  ForceDistribution<dim>::measure(
+    const Mapping<dim>                             &mapping,
+    const DoFHandler<dim>                          &dof_handler,
+    const std::set<types::boundary_id>             &boundary,
+    const CrossSection                             &section,
+    const std::vector<PrescribedDisplacement<dim>> &conditions)
   {
+    const auto cuts =
+      normals_of_symmetry_cuts(mapping, dof_handler, boundary, conditions);
     const MPI_Comm communicator = dof_handler.get_communicator();
     Tensor<1, dim> first_moment;
     area = 0.;
@@ -127,7 +152,10 @@ namespace stickslip
                         });
     area   = Utilities::MPI::sum(area, communicator);
     centre = Point<dim>(Utilities::MPI::sum(first_moment, communicator) / area);
-    inverse_inertia = 0.;
+    arm    = in_space<dim>(reference_point - centre);
+    for (const Tensor<1, 3> &n : orthonormal<dim>(cuts))
+      arm -= (arm * n) * n;
+    turning = 0.;
     if (section.is_axisymmetric) // no rotations
       return;
 
@@ -146,9 +174,14 @@ namespace stickslip
                         });
     inertia = Utilities::MPI::sum(inertia, communicator);
     if (dim == 2) // rotations about z alone
-      inverse_inertia[2][2] = 1. / inertia[2][2];
+      turning[2][2] = 1. / inertia[2][2];
     else
-      inverse_inertia = invert(inertia);
+      turning = invert(inertia);
+    if (dim == 3 && cuts.size() == 1)
+      {
+        const Tensor<1, 3> n = in_space<dim>(cuts[0]);
+        turning += outer_product(n / (n * (inertia * n)) - turning * n, n);
+      }
   }
 
 
@@ -177,10 +210,9 @@ namespace stickslip
     const Tensor<1, dim> force =
       force_law ? force_law->vector(reference_point, time) : Tensor<1, dim>();
     const Tensor<1, 3> about_centre =
-      torque(time) + cross_product_3d(in_space<dim>(reference_point - centre),
-                                      in_space<dim>(force));
+      torque(time) + cross_product_3d(arm, in_space<dim>(force));
     return force / area +
-           in_model<dim>(cross_product_3d(inverse_inertia * about_centre,
+           in_model<dim>(cross_product_3d(turning * about_centre,
                                           in_space<dim>(X - centre)));
   }
 
@@ -220,12 +252,10 @@ namespace stickslip
       });
     const MPI_Comm     communicator = dof_handler.get_communicator();
     const Tensor<1, 3> rotation =
-      inverse_inertia * Utilities::MPI::sum(moment, communicator);
+      transpose(turning) * Utilities::MPI::sum(moment, communicator);
     RigidReaction<dim> result;
-    result.displacement =
-      Utilities::MPI::sum(sum, communicator) / area +
-      in_model<dim>(
-        cross_product_3d(rotation, in_space<dim>(reference_point - centre)));
+    result.displacement = Utilities::MPI::sum(sum, communicator) / area +
+                          in_model<dim>(cross_product_3d(rotation, arm));
     const Tensor<1, 3> torque_now = torque(time);
     for (unsigned int k = 0; k < RigidReaction<dim>::n_rotations; ++k)
       {

@@ -66,11 +66,7 @@ namespace stickslip
     for (const Load<dim> &load : boundary_conditions.loads())
       if (load.type == BoundaryConditionType::body_force)
         body_forces[load.body].push_back(&load);
-      else if (load.distribution)
-        load.distribution->measure(mapping,
-                                   dof_handler,
-                                   load.boundary_ids,
-                                   bodies.cross_section);
+    boundary_conditions.measure_distributed_forces(mapping, dof_handler);
     initialize_history();
   }
 

@@ -97,6 +97,12 @@ namespace stickslip
     bool
     hold_the_same(const double time, const double other_time) const;
 
+    /// The boundaries that distributed forces act on (ForceDistribution).
+    /// Collective. Before the forces are asked for.
+    void
+    measure_distributed_forces(const Mapping<dim>    &mapping,
+                               const DoFHandler<dim> &dof_handler) const;
+
     const std::vector<Load<dim>> &
     loads() const
     {

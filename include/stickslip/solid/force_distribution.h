@@ -8,6 +8,7 @@
 #include <stickslip/mesh/cross_section.h>
 
 #include <stickslip/solid/boundary_condition_parameters.h>
+#include <stickslip/solid/prescribed_displacement.h>
 #include <stickslip/solid/rigid_state.h>
 
 #include <deal.II/dofs/dof_handler.h>
@@ -17,6 +18,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace stickslip
 {
@@ -29,6 +31,13 @@ namespace stickslip
    * undeformed body. Conjugate to F and M are the displacement and the (small)
    * rotation of the point that moves with the boundary in the mean, theta =
    * J^{-1} int r x u dA,   u_R = int u dA / A + theta x (X_R - X_c).
+   *
+   * Where planes of symmetry cut the boundary it is a part of a surface, and F
+   * and M are this part's share of its load. The mirror images leave no arm
+   * normal to a plane, and no turning about axes in it by a torque about its
+   * normal n: X_R - X_c loses its components along the normals, and, with one
+   * plane, J^{-1} becomes C = n n^T / (n.J n) + J^{-1} (I - n n^T) (its
+   * transpose in theta).
    */
   template <int dim>
   class ForceDistribution
@@ -39,13 +48,15 @@ namespace stickslip
                       const std::shared_ptr<const Amplitude> &amplitude,
                       const std::string                      &path);
 
-    /// Finds area, centre and inertia. Before traction() and mean_motion().
-    /// Collective.
+    /// Finds area, centre and inertia, and which of the @p conditions are
+    /// planes of symmetry that cut the boundary. Before traction() and
+    /// mean_motion(). Collective.
     void
-    measure(const Mapping<dim>                 &mapping,
-            const DoFHandler<dim>              &dof_handler,
-            const std::set<types::boundary_id> &boundary,
-            const CrossSection                 &section);
+    measure(const Mapping<dim>                             &mapping,
+            const DoFHandler<dim>                          &dof_handler,
+            const std::set<types::boundary_id>             &boundary,
+            const CrossSection                             &section,
+            const std::vector<PrescribedDisplacement<dim>> &conditions);
 
     /// Per reference area at a reference position.
     Tensor<1, dim>
@@ -68,7 +79,8 @@ namespace stickslip
 
     double       area = 0.;
     Point<dim>   centre;
-    Tensor<2, 3> inverse_inertia;
+    Tensor<1, 3> arm;     ///< from the centre to the reference point
+    Tensor<2, 3> turning; ///< C: of torques, to the rotation of the tractions
 
     Tensor<1, 3>
     torque(const double time) const;

@@ -36,7 +36,8 @@ namespace stickslip
     /// (force per reference area and displacement).
     Tensor<2, dim> stiffness;
 
-    /// Of a distributed force. SolidAssembler measures its boundary.
+    /// Of a distributed force. BoundaryConditions measures its
+    /// boundary.
     std::shared_ptr<ForceDistribution<dim>> distribution;
 
     ActiveInterval active;
