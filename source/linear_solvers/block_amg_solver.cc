@@ -30,13 +30,19 @@ namespace stickslip
 
 
 
+    /// What a new hierarchy costs, in iterations. A hierarchy is given up after
+    /// that many more than its best solve would have taken.
+    constexpr double renewal_cost = 8.;
+
+
+
     /// Share of the augmentation that may change before the hierarchy has to.
-    constexpr double outdated_share = 0.1;
+    constexpr double outdated_share = 0.05;
 
 
 
     /// Solves to less than this reduction of the residual are short: an
-    /// outdated hierarchy costs them less than its renewal would (about ten
+    /// outdated hierarchy costs them less than its renewal would (about eight
     /// iterations).
     constexpr double loose_reduction = 1e-4;
   } // namespace
@@ -54,15 +60,16 @@ namespace stickslip
   BlockAmgSolver::build_hierarchy()
   {
     multigrid.clear();
-    LA::SparseMatrix added;
+    BlockRows<double> added;
     if (has_multipliers)
-      augmentation.build_matrix(added);
+      added = augmentation.added_blocks(description->n_components);
     built_stiffness = augmentation.added_stiffness();
     multigrid.reinit(matrix->block(0, 0), added, *description);
     near_null_space = description->near_null_space;
     is_fresh        = true;
     rebuild         = false;
     best            = 0.;
+    excess          = 0.;
     is_outdated     = false;
     ++n_new;
   }
@@ -242,7 +249,8 @@ namespace stickslip
       best = per_digit;
     best                  = std::min(best, per_digit);
     const double expected = best * digits;
-    rebuild               = parameters.rebuild_factor == 0. ||
+    excess += last.iterations - expected;
+    rebuild = parameters.rebuild_factor == 0. || excess > renewal_cost ||
               last.iterations > std::max(parameters.rebuild_factor * expected,
                                          expected + usual_variation);
     return result;

@@ -1,36 +1,13 @@
 #include <stickslip/linear_solvers/interface_augmentation.h>
 
+#include <stickslip/linear_solvers/multigrid/galerkin_product.h>
+#include <stickslip/linear_solvers/multigrid/read_blocks.h>
+
 #include <algorithm>
-#include <vector>
+#include <utility>
 
 namespace stickslip
 {
-  namespace
-  {
-    /// Columns and values of an owned row that are not zero.
-    struct StoredRow
-    {
-      std::vector<types::global_dof_index> columns;
-      std::vector<double>                  values;
-
-      void
-      read(const LA::SparseMatrix &matrix, const types::global_dof_index row)
-      {
-        columns.clear();
-        values.clear();
-        LA::visit_row(matrix, row, [&](const auto column, const double value) {
-          if (value != 0.)
-            {
-              columns.push_back(column);
-              values.push_back(value);
-            }
-        });
-      }
-    };
-  } // namespace
-
-
-
   void
   InterfaceAugmentation::reinit(const LA::BlockSparseMatrix  &system,
                                 const BlockSystemDescription &description,
@@ -50,42 +27,33 @@ namespace stickslip
 
 
 
-  void
-  InterfaceAugmentation::build_matrix(LA::SparseMatrix &added) const
+  BlockRows<double>
+  InterfaceAugmentation::added_blocks(const unsigned int n) const
   {
-    const LA::SparseMatrix &B = matrix->block(1, 0);
-    const IndexSet owned = matrix->block(0, 0).locally_owned_range_indices();
-    StoredRow      row;
-
-    // hardly any row has entries
-    LA::SparsityPattern pattern(owned,
-                                owned,
-                                matrix->block(0, 0).get_mpi_communicator(),
-                                0);
+    const LA::SparseMatrix &B            = matrix->block(1, 0);
+    const MPI_Comm          communicator = B.get_mpi_communicator();
+    const NodeSpace         multipliers(inverse.locally_owned_elements(),
+                                1,
+                                communicator),
+      displacements(matrix->block(0, 0).locally_owned_range_indices(),
+                    n,
+                    communicator);
+    BlockRows<double> diagonal;
     for (const auto i : inverse.locally_owned_elements())
-      if (inverse(i) > 0.)
-        {
-          row.read(B, i);
-          for (const auto j : row.columns)
-            pattern.add_entries(j, row.columns.begin(), row.columns.end());
-        }
-    pattern.compress();
-    added.reinit(pattern);
-
-    std::vector<double> product;
-    for (const auto i : inverse.locally_owned_elements())
-      if (inverse(i) > 0.)
-        {
-          row.read(B, i);
-          for (unsigned int k = 0; k < row.columns.size(); ++k)
-            {
-              product = row.values;
-              for (double &value : product)
-                value *= row.values[k] * inverse(i);
-              added.add(row.columns[k], row.columns, product, false);
-            }
-        }
-    added.compress(VectorOperation::add);
+      {
+        if (inverse(i) > 0.)
+          {
+            diagonal.columns.push_back(i);
+            diagonal.widths.push_back(1);
+            diagonal.values.push_back(inverse(i));
+          }
+        diagonal.end_row(1);
+      }
+    return galerkin_product(BlockMatrix<double>(std::move(diagonal),
+                                                multipliers,
+                                                multipliers),
+                            read_blocks<double>(B, 1, n),
+                            displacements);
   }
 
 

@@ -1,6 +1,7 @@
 #include <stickslip/linear_solvers/overlapping_parts.h>
 
 #include <stickslip/linear_solvers/multigrid/block_matrix.h>
+#include <stickslip/linear_solvers/multigrid/read_blocks.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -102,7 +103,7 @@ namespace stickslip
   OverlappingParts::see_rows(const LA::SparseMatrix  &matrix,
                              const std::vector<bool> &is_multiplier)
   {
-    const auto owned = read_blocks<double>({&matrix}, 1, true);
+    const auto owned = read_square_blocks(matrix, 1);
     space     = NodeSpace(std::vector<unsigned int>(is_multiplier.size(), 1),
                       matrix.get_mpi_communicator());
     auto seen = foreign_columns(owned, space);

@@ -6,6 +6,7 @@
 #include "print.h"
 
 #include <stickslip/linear_solvers/block_amg_solver.h>
+#include <stickslip/linear_solvers/multigrid/block_matrix.h>
 
 #include <stickslip/problem/rigid_modes.h>
 
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 using namespace stickslip;
 
@@ -170,8 +172,11 @@ namespace
 
     InterfaceAugmentation augmentation;
     augmentation.reinit(K, system, 4.);
-    LA::SparseMatrix added;
-    augmentation.build_matrix(added);
+    const NodeSpace           nodes(problem.layout().owned,
+                          system.n_components,
+                          MPI_COMM_WORLD);
+    const BlockMatrix<double> added(
+      augmentation.added_blocks(system.n_components), nodes, nodes);
     LA::BlockVector x = problem.zero_state(), product(x), residual(x);
     fill(x.block(0));
     fill(x.block(1));
@@ -181,8 +186,13 @@ namespace
     OwnedEntries entries = owned_entries(product);
     augmentation.add_to(entries);
     set_owned_entries(product, entries);
-    added.vmult(residual.block(0), x.block(0));
-    K.block(0, 0).vmult_add(residual.block(0), x.block(0));
+    K.block(0, 0).vmult(residual.block(0), x.block(0));
+    std::vector<double> sum = owned_entries(residual), u = owned_entries(x);
+    sum.resize(nodes.n_owned_unknowns());
+    u.resize(added.column_space().begin(added.column_space().n_local()));
+    added.column_space().update_ghosts(u);
+    added.vmult_add(sum, u);
+    std::copy(sum.begin(), sum.end(), residual.block(0).begin());
     residual.block(0) -= product.block(0);
     print("  rows are added as the augmented matrix has them",
           residual.block(0).l2_norm() < 1e-12 * before);

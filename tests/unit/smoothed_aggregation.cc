@@ -6,6 +6,7 @@
 
 #include <stickslip/linear_solvers/multigrid/displacement_multigrid.h>
 #include <stickslip/linear_solvers/multigrid/galerkin_product.h>
+#include <stickslip/linear_solvers/multigrid/read_blocks.h>
 
 #include <stickslip/solid/rigid_body_modes.h>
 
@@ -160,7 +161,7 @@ namespace
   n_cg_iterations(const Lattice &lattice)
   {
     DisplacementMultigrid multigrid;
-    multigrid.reinit(lattice.matrix, LA::SparseMatrix(), lattice.description);
+    multigrid.reinit(lattice.matrix, {}, lattice.description);
     LA::Vector x(lattice.owned, MPI_COMM_WORLD), b(x);
     for (const auto i : lattice.owned)
       b(i) = std::sin(1. + 7. * i);
@@ -229,13 +230,9 @@ namespace
   test_coarse_level(const bool touches)
   {
     print(touches ? "Two bodies that touch" : "Two bodies apart");
-    const Lattice   lattice(8, touches ? 1. : 0., 1.);
-    const NodeSpace nodes(
-      std::vector<unsigned int>(lattice.owned.n_elements() / 3, 3),
-      MPI_COMM_WORLD);
-    BlockMatrix<double> A(read_blocks<double>({&lattice.matrix}, 3, true),
-                          nodes,
-                          nodes);
+    const Lattice       lattice(8, touches ? 1. : 0., 1.);
+    const NodeSpace     nodes(lattice.owned, 3, MPI_COMM_WORLD);
+    BlockMatrix<double> A(read_square_blocks(lattice.matrix, 3), nodes, nodes);
     const NodeSpace    &space = A.column_space();
 
     Modes       modes;
@@ -368,10 +365,8 @@ namespace
   {
     print(is_symmetric ? "Sweeps" : "Sweeps with one-sided neighbours");
     const Lattice   lattice(8, 1., 1.);
-    const NodeSpace nodes(
-      std::vector<unsigned int>(lattice.owned.n_elements() / 3, 3),
-      MPI_COMM_WORLD);
-    auto rows = read_blocks<double>({&lattice.matrix}, 3, true);
+    const NodeSpace nodes(lattice.owned, 3, MPI_COMM_WORLD);
+    auto            rows = read_square_blocks(lattice.matrix, 3);
     if (!is_symmetric)
       rows = one_sided(rows, nodes);
     // entries that single precision has, so that sweeps are those of A

@@ -1,10 +1,11 @@
 #ifndef stickslip_base_types_h
 #define stickslip_base_types_h
 
+#include <deal.II/base/array_view.h>
+
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/block_sparsity_pattern.h>
 #include <deal.II/lac/trilinos_block_sparse_matrix.h>
-#include <deal.II/lac/trilinos_index_access.h>
 #include <deal.II/lac/trilinos_parallel_block_vector.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
@@ -33,17 +34,27 @@ namespace stickslip
 
 
 
+    /// The numbers of the columns that owned rows have, by local column.
+    inline ArrayView<const TrilinosWrappers::types::int_type>
+    column_numbers(const SparseMatrix &matrix)
+    {
+      const auto                        &epetra  = matrix.trilinos_matrix();
+      TrilinosWrappers::types::int_type *numbers = nullptr;
+      epetra.ColMap().MyGlobalElementsPtr(numbers);
+      return {numbers, static_cast<std::size_t>(epetra.NumMyCols())};
+    }
+
+
+
     /**
-     * Calls @p visit(column, value) for all stored entries of the owned row
-     * @p row, in the order of storage. Use it in place of the matrix's
-     * iterators: their end(row) searches for the next row that is not empty,
-     * which makes a loop over a sparse block quadratic.
+     * Calls @p visit(local column, value) for all stored entries of the owned
+     * row @p row, in the order of storage; see column_numbers().
      */
     template <typename Visitor>
     void
-    visit_row(const SparseMatrix           &matrix,
-              const types::global_dof_index row,
-              const Visitor                &visit)
+    visit_local_row(const SparseMatrix           &matrix,
+                    const types::global_dof_index row,
+                    const Visitor                &visit)
     {
       const auto &epetra = matrix.trilinos_matrix();
       const int   local_row =
@@ -55,9 +66,27 @@ namespace stickslip
         epetra.ExtractMyRowView(local_row, n_entries, values, columns);
       AssertThrow(error == 0, ExcMessage("The row is not stored here."));
       for (int k = 0; k < n_entries; ++k)
-        visit(static_cast<types::global_dof_index>(
-                TrilinosWrappers::global_column_index(epetra, columns[k])),
-              values[k]);
+        visit(static_cast<unsigned int>(columns[k]), values[k]);
+    }
+
+
+
+    /**
+     * The same with the numbers of columns over all ranks. Use it in place of
+     * the matrix's iterators: their end(row) searches for the next row that is
+     * not empty, which makes a loop over a sparse block quadratic.
+     */
+    template <typename Visitor>
+    void
+    visit_row(const SparseMatrix           &matrix,
+              const types::global_dof_index row,
+              const Visitor                &visit)
+    {
+      const auto numbers = column_numbers(matrix);
+      visit_local_row(
+        matrix, row, [&](const unsigned int column, const double value) {
+          visit(static_cast<types::global_dof_index>(numbers[column]), value);
+        });
     }
 
 

@@ -20,9 +20,10 @@ namespace stickslip
    * approximated.
    *
    * The multigrid hierarchy is kept while constraints and most of the
-   * augmentation stay (loose solves also do with less), until an iteration
-   * takes `Rebuild factor` times as long by digit as the best one with it; the
-   * interface is factorised for every matrix.
+   * augmentation stay (loose solves also do with less), until a solve takes
+   * `Rebuild factor` times as many iterations by digit as the best one with it,
+   * or all together as many more as a new one would cost; the interface is
+   * factorised for every matrix.
    */
   class BlockAmgSolver : public LinearSolver
   {
@@ -62,6 +63,7 @@ namespace stickslip
     bool         rebuild     = true;
     bool         is_outdated = false; ///< see hierarchy_is_outdated()
     double       best        = 0.; ///< iterations by digit with this hierarchy
+    double       excess      = 0.; ///< iterations more than with the best
     unsigned int n_new       = 0;  ///< hierarchies since the last solve
 
     void

@@ -4,6 +4,7 @@
 #include <stickslip/base/block_system.h>
 
 #include <stickslip/linear_solvers/block_product.h>
+#include <stickslip/linear_solvers/multigrid/block_rows.h>
 
 #include <vector>
 
@@ -30,10 +31,10 @@ namespace stickslip
            const BlockSystemDescription &description,
            const double                  factor);
 
-    /// B^T D^-1 B as a new matrix, with rows that are empty away from the
-    /// surfaces. Collective.
-    void
-    build_matrix(LA::SparseMatrix &added) const;
+    /// B^T D^-1 B for the owned displacements, in blocks of nodes of @p n of
+    /// them. Rows away from the surfaces are empty. Collective.
+    BlockRows<double>
+    added_blocks(const unsigned int n) const;
 
     /// Adds B^T D^-1 times the multipliers of @p entries to their displacements.
     /// Collective.

@@ -1,6 +1,8 @@
 #ifndef stickslip_linear_solvers_overlapping_parts_h
 #define stickslip_linear_solvers_overlapping_parts_h
 
+#include <stickslip/base/types.h>
+
 #include <stickslip/linear_solvers/factorization/local_factorization.h>
 #include <stickslip/linear_solvers/multigrid/block_rows.h>
 

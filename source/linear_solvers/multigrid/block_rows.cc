@@ -5,7 +5,6 @@
 #include <boost/serialization/utility.hpp>
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <utility>
 
@@ -119,74 +118,10 @@ namespace stickslip
     return sum;
   }
 
-  template <typename Number>
-  BlockRows<Number>
-  read_blocks(const std::vector<const LA::SparseMatrix *> &matrices,
-              const unsigned int                           n,
-              const bool                                   is_square)
-  {
-    const IndexSet owned = matrices.front()->locally_owned_range_indices();
-    // calls act(row in the block, column, value) for entries from @p first on
-    const auto visit_block = [&](const Index first, const auto &act) {
-      for (const auto *matrix : matrices)
-        for (unsigned int r = 0; r < n; ++r)
-          LA::visit_row(*matrix,
-                        first + r,
-                        [&](const Index column, const double value) {
-                          if (value != 0.)
-                            act(r, column, value);
-                        });
-    };
-    BlockRows<Number>  rows;
-    std::vector<Index> nodes;
-    for (auto row = owned.begin(); row != owned.end(); std::advance(row, n))
-      {
-        nodes.assign(is_square ? 1 : 0, *row / n);
-        visit_block(*row, [&](const auto, const Index column, const auto) {
-          if (nodes.empty() || nodes.back() != column / n)
-            nodes.push_back(column / n);
-        });
-        std::sort(nodes.begin(), nodes.end());
-        nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-        rows.columns.insert(rows.columns.end(), nodes.begin(), nodes.end());
-        rows.widths.resize(rows.columns.size(), n);
-        rows.end_row(n);
-      }
-    rows.allocate();
-    unsigned int block = 0;
-    for (auto row = owned.begin(); row != owned.end();
-         std::advance(row, n), ++block)
-      {
-        const Index *const begin =
-          rows.columns.data() + rows.column_begins[block];
-        const Index *const end =
-          rows.columns.data() + rows.column_begins[block + 1];
-        const Index       *k     = begin; // most often the next one is there
-        const unsigned int width = n * (end - begin);
-        visit_block(
-          *row,
-          [&](const unsigned int r, const Index column, const double value) {
-            if (*k != column / n)
-              k = std::lower_bound(begin, end, column / n);
-            rows.panel(block)[r * width + (k - begin) * n + column % n] +=
-              value;
-          });
-      }
-    return rows;
-  }
-
 
 
   template BlockRows<float>
   ghost_rows(const BlockRows<float> &, const NodeSpace &);
   template BlockRows<double>
   ghost_rows(const BlockRows<double> &, const NodeSpace &);
-  template BlockRows<float>
-  read_blocks(const std::vector<const LA::SparseMatrix *> &,
-              const unsigned int,
-              const bool);
-  template BlockRows<double>
-  read_blocks(const std::vector<const LA::SparseMatrix *> &,
-              const unsigned int,
-              const bool);
 } // namespace stickslip

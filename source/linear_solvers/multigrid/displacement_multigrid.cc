@@ -3,6 +3,8 @@
 #include <stickslip/base/no_convergence.h>
 #include <stickslip/base/short_message.h>
 
+#include <stickslip/linear_solvers/multigrid/read_blocks.h>
+
 #include <exception>
 #include <utility>
 #include <vector>
@@ -12,22 +14,6 @@ namespace stickslip
 {
   namespace
   {
-    /// Nodes of @p n_components consecutive unknowns.
-    NodeSpace
-    nodes_of(const IndexSet    &unknowns,
-             const unsigned int n_components,
-             const MPI_Comm    &communicator)
-    {
-      AssertThrow(unknowns.n_elements() % n_components == 0,
-                  ExcMessage("A node is on two ranks."));
-      return NodeSpace(std::vector<unsigned int>(unknowns.n_elements() /
-                                                   n_components,
-                                                 n_components),
-                       communicator);
-    }
-
-
-
     Modes
     modes_of(const NearNullSpace &space, const unsigned int n_unknowns)
     {
@@ -46,7 +32,7 @@ namespace stickslip
 
   void
   DisplacementMultigrid::reinit(const LA::SparseMatrix       &matrix,
-                                const LA::SparseMatrix       &added,
+                                const BlockRows<double>      &added,
                                 const BlockSystemDescription &description)
   {
     const MPI_Comm     communicator = matrix.get_mpi_communicator();
@@ -54,24 +40,21 @@ namespace stickslip
     clear();
     try
       {
-        const NodeSpace nodes =
-          nodes_of(matrix.locally_owned_range_indices(), n, communicator);
+        const NodeSpace  nodes(matrix.locally_owned_range_indices(),
+                              n,
+                              communicator);
         NodeSpace        linear_nodes;
         BlockRows<float> prolongation;
         if (description.prolongation)
           {
-            linear_nodes =
-              nodes_of(description.prolongation->locally_owned_domain_indices(),
-                       n,
-                       communicator);
-            prolongation =
-              read_blocks<float>({description.prolongation.get()}, n, false);
+            linear_nodes = NodeSpace(
+              description.prolongation->locally_owned_domain_indices(),
+              n,
+              communicator);
+            prolongation = read_blocks<float>(*description.prolongation, n, n);
           }
-        std::vector<const LA::SparseMatrix *> parts(1, &matrix);
-        if (added.m() > 0)
-          parts.push_back(&added);
         hierarchy.reinit(BlockMatrix<double>(
-                           read_blocks<double>(parts, n, true), nodes, nodes),
+                           read_square_blocks(matrix, n, added), nodes, nodes),
                          std::move(prolongation),
                          linear_nodes,
                          modes_of(*description.near_null_space,

@@ -1,4 +1,5 @@
 #include <stickslip/linear_solvers/multigrid/galerkin_product.h>
+#include <stickslip/linear_solvers/multigrid/product_row.h>
 
 #include <algorithm>
 #include <utility>
@@ -10,10 +11,6 @@ namespace stickslip
   {
     using Index = NodeSpace::Index;
 
-    constexpr unsigned int absent = -1;
-
-
-
     /// Rows of the owned nodes and, behind them, of the ghosts of @p space.
     template <typename Number>
     BlockRows<Number>
@@ -24,139 +21,6 @@ namespace stickslip
       for (unsigned int row = 0; row < ghosts.n_rows(); ++row)
         rows.append(ghosts, row);
       return rows;
-    }
-
-
-
-    /**
-     * A row of blocks that is a sum of others: where each column node is in it.
-     * The nodes are given by local numbers.
-     */
-    class RowPattern
-    {
-    public:
-      explicit RowPattern(const NodeSpace &space)
-        : space(space)
-        , offsets(space.n_local(), absent)
-      {}
-
-      void
-      clear()
-      {
-        for (const unsigned int node : nodes)
-          offsets[node] = absent;
-        nodes.clear();
-      }
-
-      void
-      insert(const unsigned int node)
-      {
-        if (offsets[node] == absent)
-          {
-            offsets[node] = 0;
-            nodes.push_back(node);
-          }
-      }
-
-      /// Ends the insertions: sorts the nodes by their global numbers. Returns
-      /// the width of the row.
-      unsigned int
-      arrange()
-      {
-        std::sort(nodes.begin(),
-                  nodes.end(),
-                  [&](const unsigned int a, const unsigned int b) {
-                    return space.global(a) < space.global(b);
-                  });
-        unsigned int width = 0;
-        for (const unsigned int node : nodes)
-          {
-            offsets[node] = width;
-            width += space.size(node);
-          }
-        return width;
-      }
-
-      unsigned int
-      offset(const unsigned int node) const
-      {
-        return offsets[node];
-      }
-
-      std::vector<unsigned int> nodes;
-
-    private:
-      const NodeSpace          &space;
-      std::vector<unsigned int> offsets;
-    };
-
-
-
-    /// sum += a b for blocks in panels with the given strides.
-    template <typename Number>
-    void
-    add_product(const double      *a,
-                const unsigned int a_stride,
-                const Number      *b,
-                const unsigned int b_stride,
-                double            *sum,
-                const unsigned int sum_stride,
-                const unsigned int n_rows,
-                const unsigned int n_inner,
-                const unsigned int n_columns)
-    {
-      for (unsigned int i = 0; i < n_rows; ++i)
-        for (unsigned int k = 0; k < n_inner; ++k)
-          {
-            const double value = a[i * a_stride + k];
-            for (unsigned int j = 0; j < n_columns; ++j)
-              sum[i * sum_stride + j] += value * b[k * b_stride + j];
-          }
-    }
-
-
-
-    /// Row @p row of A P: @p columns are the local numbers of the columns of
-    /// @p P.
-    template <typename Number>
-    void
-    product_row(const BlockMatrix<double>       &A,
-                const BlockRows<Number>         &P,
-                const std::vector<unsigned int> &columns,
-                const unsigned int               row,
-                RowPattern                      &pattern,
-                std::vector<double>             &values)
-    {
-      const auto visit_parts = [&](const auto &visit) {
-        for (auto k = A.column_begin(row); k < A.column_begin(row + 1); ++k)
-          visit(k, A.column(k));
-      };
-      pattern.clear();
-      visit_parts([&](const auto, const unsigned int j) {
-        for (auto l = P.column_begins[j]; l < P.column_begins[j + 1]; ++l)
-          pattern.insert(columns[l]);
-      });
-      const unsigned int width = pattern.arrange();
-      values.assign(A.height(row) * width, 0.);
-      const double *block = A.panel(row);
-      visit_parts([&](const std::size_t k, const unsigned int j) {
-        const Number      *part   = P.panel(j);
-        const unsigned int stride = P.width(j);
-        for (auto l = P.column_begins[j]; l < P.column_begins[j + 1]; ++l)
-          {
-            add_product(block,
-                        A.width(row),
-                        part,
-                        stride,
-                        values.data() + pattern.offset(columns[l]),
-                        width,
-                        A.height(row),
-                        A.block_width(k),
-                        P.widths[l]);
-            part += P.widths[l];
-          }
-        block += A.block_width(k);
-      });
     }
 
 
@@ -187,9 +51,10 @@ namespace stickslip
 
 
     /// P^T A P with entries still zero, for all local coarse nodes.
+    template <typename Number>
     BlockRows<double>
     galerkin_pattern(const BlockMatrix<double>       &A,
-                     const BlockRows<float>          &P,
+                     const BlockRows<Number>         &P,
                      const std::vector<unsigned int> &columns,
                      const NodeSpace                 &space)
     {
@@ -223,35 +88,30 @@ namespace stickslip
     }
 
 
-    /// Adds P_K^T times @p product to row @p coarse_row of the result, where
-    /// P_K is a block of the panel @p part.
+
+    /// Adds @p part, the columns of which are those of @p pattern, to row
+    /// @p row of the result.
     void
-    add_to_row(const float               *part,
-               const unsigned int         part_stride,
-               const unsigned int         height,
+    add_to_row(const std::vector<double> &part,
                const RowPattern          &pattern,
-               const unsigned int         product_width,
-               const std::vector<double> &product,
                const NodeSpace           &space,
-               const unsigned int         coarse_row,
+               const unsigned int         row,
                BlockRows<double>         &result)
     {
-      const unsigned int width    = result.width(coarse_row);
-      auto               k        = result.column_begins[coarse_row];
-      double            *position = result.panel(coarse_row);
+      const unsigned int height = space.size(row), width = result.width(row),
+                         part_width = part.size() / height;
+      auto    k                     = result.column_begins[row];
+      double *position              = result.panel(row);
       for (const unsigned int node : pattern.nodes)
         {
           for (; result.columns[k] != space.global(node); ++k)
             position += result.widths[k];
-          const double *const factor = product.data() + pattern.offset(node);
-          for (unsigned int i = 0; i < space.size(coarse_row); ++i)
-            for (unsigned int r = 0; r < height; ++r)
-              {
-                const double value = part[r * part_stride + i];
-                for (unsigned int c = 0; c < result.widths[k]; ++c)
-                  position[i * width + c] +=
-                    value * factor[r * product_width + c];
-              }
+          add_block(part.data() + pattern.offset(node),
+                    part_width,
+                    height,
+                    result.widths[k],
+                    position,
+                    width);
         }
     }
   } // namespace
@@ -268,12 +128,14 @@ namespace stickslip
     const BlockRows<double> P0    = local_rows(tentative, A.column_space());
     const NodeSpace         space = seen_space(coarse, P0);
     const std::vector<unsigned int> columns = local_columns(P0, space);
-    RowPattern                      pattern(space);
-    std::vector<double>             values, column(1);
+    ProductRow                      product(space);
+    std::vector<double>             column(1);
     BlockRows<float>                P;
     for (unsigned int row = 0; row < A.n_rows(); ++row)
       {
-        product_row(A, P0, columns, row, pattern, values);
+        product.compute(A, P0, columns, row);
+        const RowPattern &pattern = product.pattern;
+        auto             &values  = product.values;
         for (const unsigned int node : pattern.nodes)
           {
             P.columns.push_back(space.global(node));
@@ -306,36 +168,54 @@ namespace stickslip
 
 
 
+  template <typename Number>
   BlockRows<double>
   galerkin_product(const BlockMatrix<double> &A,
-                   const BlockRows<float>    &prolongation,
+                   const BlockRows<Number>   &prolongation,
                    const NodeSpace           &coarse)
   {
-    const BlockRows<float> P     = local_rows(prolongation, A.column_space());
-    const NodeSpace        space = seen_space(coarse, P);
+    const BlockRows<Number> P     = local_rows(prolongation, A.column_space());
+    const NodeSpace         space = seen_space(coarse, P);
     const std::vector<unsigned int> columns = local_columns(P, space);
     BlockRows<double>   result = galerkin_pattern(A, P, columns, space);
-    RowPattern          pattern(space);
-    std::vector<double> product;
+    ProductRow          product(space);
+    std::vector<double> transposed, part;
     for (unsigned int row = 0; row < A.n_rows(); ++row)
       {
-        product_row(A, P, columns, row, pattern, product);
-        const unsigned int height = A.height(row);
-        const float       *part   = P.panel(row);
+        product.compute(A, P, columns, row);
+        const unsigned int height = A.height(row), stride = P.width(row);
+        const Number      *block = P.panel(row);
         for (auto l = P.column_begins[row]; l < P.column_begins[row + 1]; ++l)
           {
-            add_to_row(part,
-                       P.width(row),
-                       height,
-                       pattern,
-                       product.size() / height,
-                       product,
-                       space,
-                       columns[l],
-                       result);
-            part += P.widths[l];
+            const unsigned int n = P.widths[l];
+            transposed.resize(n * height);
+            for (unsigned int i = 0; i < n; ++i)
+              for (unsigned int r = 0; r < height; ++r)
+                transposed[i * height + r] = block[r * stride + i];
+            block += n;
+            part.resize(n * product.width);
+            multiply_panel(transposed.data(),
+                           height,
+                           n,
+                           height,
+                           product.values.data(),
+                           product.width,
+                           product.width,
+                           part.data());
+            add_to_row(part, product.pattern, space, columns[l], result);
           }
       }
     return sum_to_owners(std::move(result), space);
   }
+
+
+
+  template BlockRows<double>
+  galerkin_product(const BlockMatrix<double> &,
+                   const BlockRows<float> &,
+                   const NodeSpace &);
+  template BlockRows<double>
+  galerkin_product(const BlockMatrix<double> &,
+                   const BlockRows<double> &,
+                   const NodeSpace &);
 } // namespace stickslip

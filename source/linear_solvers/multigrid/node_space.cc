@@ -44,6 +44,18 @@ namespace stickslip
 
 
 
+  NodeSpace::NodeSpace(const IndexSet    &unknowns,
+                       const unsigned int n,
+                       const MPI_Comm    &communicator)
+    : NodeSpace(std::vector<unsigned int>(unknowns.n_elements() / n, n),
+                communicator)
+  {
+    AssertThrow(unknowns.n_elements() % n == 0,
+                ExcMessage("A node is on two ranks."));
+  }
+
+
+
   unsigned int
   NodeSpace::rank_of(const Index node) const
   {

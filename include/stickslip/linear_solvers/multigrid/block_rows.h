@@ -1,8 +1,6 @@
 #ifndef stickslip_linear_solvers_multigrid_block_rows_h
 #define stickslip_linear_solvers_multigrid_block_rows_h
 
-#include <stickslip/base/types.h>
-
 #include <stickslip/linear_solvers/multigrid/node_space.h>
 
 #include <utility>
@@ -109,19 +107,6 @@ namespace stickslip
       archive &column_begins &value_begins &columns &widths &values;
     }
   };
-
-
-
-  /**
-   * The sum of @p matrices in blocks of @p n unknowns, without blocks that are
-   * zero, except those on the diagonal if @p is_square. All matrices have the
-   * same owned rows.
-   */
-  template <typename Number>
-  BlockRows<Number>
-  read_blocks(const std::vector<const LA::SparseMatrix *> &matrices,
-              const unsigned int                           n,
-              const bool                                   is_square);
 
 
 

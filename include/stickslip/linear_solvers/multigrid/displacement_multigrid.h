@@ -17,13 +17,13 @@ namespace stickslip
   {
   public:
     /**
-     * Makes the hierarchy of the sum of @p matrix and @p added (which may be
-     * empty), and keeps copies of what it needs. Throws NoConvergence.
+     * Makes the hierarchy of the sum of @p matrix and @p added (which may have
+     * no rows at all), and keeps copies of what it needs. Throws NoConvergence.
      * Collective.
      */
     void
     reinit(const LA::SparseMatrix       &matrix,
-           const LA::SparseMatrix       &added,
+           const BlockRows<double>      &added,
            const BlockSystemDescription &description);
 
     void

@@ -22,9 +22,10 @@ namespace stickslip
   /// P^T A P; @p coarse is the space of the columns of P. Without a product in
   /// between: row by row of A P, which goes into the result at once.
   /// Collective.
+  template <typename Number>
   BlockRows<double>
   galerkin_product(const BlockMatrix<double> &matrix,
-                   const BlockRows<float>    &prolongation,
+                   const BlockRows<Number>   &prolongation,
                    const NodeSpace           &coarse);
 } // namespace stickslip
 

@@ -30,6 +30,12 @@ namespace stickslip
     NodeSpace(const std::vector<unsigned int> &sizes,
               const MPI_Comm                  &communicator);
 
+    /// Nodes of @p n consecutive unknowns, of which this rank owns
+    /// @p unknowns. Collective.
+    NodeSpace(const IndexSet    &unknowns,
+              const unsigned int n,
+              const MPI_Comm    &communicator);
+
     /// Sets the nodes of other ranks that this one has to see (any order, with
     /// repetitions). Collective.
     void

@@ -1,0 +1,144 @@
+#ifndef stickslip_linear_solvers_multigrid_product_row_h
+#define stickslip_linear_solvers_multigrid_product_row_h
+
+#include <stickslip/linear_solvers/multigrid/block_matrix.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace stickslip
+{
+  /**
+   * product = a b for a panel b. Rows of a and b begin @p a_stride and
+   * @p b_stride apart, those of the product have no gaps.
+   */
+  void
+  multiply_panel(const double      *a,
+                 const unsigned int a_stride,
+                 const unsigned int n_rows,
+                 const unsigned int n_inner,
+                 const double      *b,
+                 const unsigned int b_stride,
+                 const unsigned int n_columns,
+                 double            *product);
+
+  void
+  multiply_panel(const double      *a,
+                 const unsigned int a_stride,
+                 const unsigned int n_rows,
+                 const unsigned int n_inner,
+                 const float       *b,
+                 const unsigned int b_stride,
+                 const unsigned int n_columns,
+                 double            *product);
+
+
+
+  /// sum += part for blocks, the rows of which begin so far apart.
+  inline void
+  add_block(const double      *part,
+            const unsigned int part_stride,
+            const unsigned int height,
+            const unsigned int width,
+            double            *sum,
+            const unsigned int sum_stride)
+  {
+    for (unsigned int r = 0; r < height; ++r)
+      for (unsigned int c = 0; c < width; ++c)
+        sum[r * sum_stride + c] += part[r * part_stride + c];
+  }
+
+
+
+  /**
+   * A row of blocks that is a sum of others: where each column node is in it.
+   * The nodes are given by local numbers.
+   */
+  class RowPattern
+  {
+  public:
+    explicit RowPattern(const NodeSpace &space)
+      : space(space)
+      , offsets(space.n_local(), numbers::invalid_unsigned_int)
+    {}
+
+    void
+    clear()
+    {
+      for (const unsigned int node : nodes)
+        offsets[node] = numbers::invalid_unsigned_int;
+      nodes.clear();
+    }
+
+    void
+    insert(const unsigned int node)
+    {
+      if (offsets[node] == numbers::invalid_unsigned_int)
+        {
+          offsets[node] = 0;
+          nodes.push_back(node);
+        }
+    }
+
+    /// Ends the insertions: sorts the nodes by their global numbers. Returns
+    /// the width of the row.
+    unsigned int
+    arrange()
+    {
+      std::sort(nodes.begin(),
+                nodes.end(),
+                [&](const unsigned int a, const unsigned int b) {
+                  return space.global(a) < space.global(b);
+                });
+      unsigned int width = 0;
+      for (const unsigned int node : nodes)
+        {
+          offsets[node] = width;
+          width += space.size(node);
+        }
+      return width;
+    }
+
+    unsigned int
+    offset(const unsigned int node) const
+    {
+      return offsets[node];
+    }
+
+    std::vector<unsigned int> nodes;
+
+  private:
+    const NodeSpace          &space;
+    std::vector<unsigned int> offsets;
+  };
+
+
+
+  /// A row of blocks of A P.
+  class ProductRow
+  {
+  public:
+    /// @p space: local nodes of the columns of P.
+    explicit ProductRow(const NodeSpace &space)
+      : pattern(space)
+    {}
+
+    /// Row @p row of A P, where @p columns are the local numbers of the columns
+    /// of @p P, which has the rows of all local columns of A.
+    template <typename Number>
+    void
+    compute(const BlockMatrix<double>       &A,
+            const BlockRows<Number>         &P,
+            const std::vector<unsigned int> &columns,
+            const unsigned int               row);
+
+    RowPattern          pattern;
+    unsigned int        width = 0;
+    std::vector<double> values; ///< a panel
+
+  private:
+    std::vector<double> part;
+  };
+} // namespace stickslip
+
+#endif
