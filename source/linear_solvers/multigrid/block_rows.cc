@@ -38,10 +38,12 @@ namespace stickslip
         {
           for (; to.columns[l] != from.columns[k]; ++l)
             to_offset += to.widths[l];
-          for (unsigned int r = 0; r < height; ++r)
-            for (unsigned int c = 0; c < from.widths[k]; ++c)
-              to.panel(to_row)[r * to_width + to_offset + c] +=
-                from.panel(from_row)[r * width + offset + c];
+          add_block(from.panel(from_row) + offset,
+                    width,
+                    height,
+                    from.widths[k],
+                    to.panel(to_row) + to_offset,
+                    to_width);
           offset += from.widths[k];
         }
     }

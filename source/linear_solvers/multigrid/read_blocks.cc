@@ -156,10 +156,12 @@ namespace stickslip
            ++k)
         {
           const unsigned int width = added.widths[k];
-          double *const      block = sum.block(seen.place(added.columns[k]));
-          for (unsigned int r = 0; r < height; ++r)
-            for (unsigned int c = 0; c < width; ++c)
-              block[r * width + c] += entries[r * stride + c];
+          add_block(entries,
+                    stride,
+                    height,
+                    width,
+                    sum.block(seen.place(added.columns[k])),
+                    width);
           entries += width;
         }
     }

@@ -110,6 +110,22 @@ namespace stickslip
 
 
 
+  /// sum += part for blocks, the rows of which begin so far apart.
+  inline void
+  add_block(const double      *part,
+            const unsigned int part_stride,
+            const unsigned int height,
+            const unsigned int width,
+            double            *sum,
+            const unsigned int sum_stride)
+  {
+    for (unsigned int r = 0; r < height; ++r)
+      for (unsigned int c = 0; c < width; ++c)
+        sum[r * sum_stride + c] += part[r * part_stride + c];
+  }
+
+
+
   /// The rows of the ghosts of @p space, which are with the other ranks'
   /// @p owned ones. Collective.
   template <typename Number>

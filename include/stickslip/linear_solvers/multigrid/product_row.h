@@ -34,22 +34,6 @@ namespace stickslip
 
 
 
-  /// sum += part for blocks, the rows of which begin so far apart.
-  inline void
-  add_block(const double      *part,
-            const unsigned int part_stride,
-            const unsigned int height,
-            const unsigned int width,
-            double            *sum,
-            const unsigned int sum_stride)
-  {
-    for (unsigned int r = 0; r < height; ++r)
-      for (unsigned int c = 0; c < width; ++c)
-        sum[r * sum_stride + c] += part[r * part_stride + c];
-  }
-
-
-
   /**
    * A row of blocks that is a sum of others: where each column node is in it.
    * The nodes are given by local numbers.
