@@ -8,8 +8,7 @@
 #include <stickslip/mesh/reference_cells.h>
 
 #include <deal.II/base/array_view.h>
-
-#include <deal.II/distributed/cell_data_transfer.templates.h>
+#include <deal.II/base/utilities.h>
 
 #include <array>
 #include <utility>
@@ -74,25 +73,52 @@ namespace stickslip
 
 
   template <int dim>
+  std::vector<CellRecord>
+  StateTransfer<dim>::records_of_children(
+    const typename Triangulation<dim>::cell_iterator &parent) const
+  {
+    std::vector<CellRecord> children;
+    for (const auto &child : parent->child_iterators())
+      children.push_back(records[child->active_cell_index()]);
+    return children;
+  }
+
+
+
+  template <int dim>
   void
   StateTransfer<dim>::execute(
     parallel::distributed::Triangulation<dim> &triangulation)
   {
     using Cell = typename Triangulation<dim>::cell_iterator;
-    parallel::distributed::CellDataTransfer<dim, dim, std::vector<CellRecord>>
-      data(
-        triangulation,
-        /*transfer_variable_size_data=*/true,
-        [this](const Cell &, const CellRecord parent) {
-          return transfer.to_children(parent);
-        },
-        [this](const Cell &, const std::vector<CellRecord> &children) {
-          return transfer.to_parent(children);
-        });
-    data.prepare_for_coarsening_and_refinement(records);
+    // A cell with children becomes one without, or has just become one. Not
+    // deal.II's CellDataTransfer, which compresses records of different
+    // lengths: that took a quarter of an adaptation.
+    const auto handle = triangulation.register_data_attach(
+      [this](const Cell &cell, const auto) {
+        return Utilities::pack(cell->has_children()
+                                 ? transfer.to_parent(records_of_children(cell))
+                                 : records[cell->active_cell_index()],
+                               /*allow_compression=*/false);
+      },
+      /*returns_variable_size_data=*/true);
     execute_agreed_flags(triangulation);
     std::vector<CellRecord> moved(triangulation.n_active_cells());
-    data.unpack(moved);
+    triangulation.notify_ready_to_unpack(
+      handle, [this, &moved](const Cell &cell, const auto, const auto &range) {
+        const auto record =
+          Utilities::unpack<CellRecord>(range.begin(),
+                                        range.end(),
+                                        /*allow_compression=*/false);
+        if (!cell->has_children())
+          moved[cell->active_cell_index()] = record;
+        else
+          {
+            const auto of_children = transfer.to_children(record);
+            for (unsigned int c = 0; c < cell->n_children(); ++c)
+              moved[cell->child(c)->active_cell_index()] = of_children[c];
+          }
+      });
     records = std::move(moved);
   }
 

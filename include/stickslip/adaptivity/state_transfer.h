@@ -56,6 +56,10 @@ namespace stickslip
     const std::unique_ptr<FiniteElement<dim>> element; ///< scalar
     const CellTransfer<dim>                   transfer;
     std::vector<CellRecord>                   records; ///< by active cell
+
+    std::vector<CellRecord>
+    records_of_children(
+      const typename Triangulation<dim>::cell_iterator &parent) const;
   };
 } // namespace stickslip
 
