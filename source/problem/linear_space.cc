@@ -131,7 +131,11 @@ namespace stickslip
   LinearSpace<dim>::update(const Constraints &fine_constraints)
   {
     constrain(fine_constraints);
-    LA::SparsityPattern pattern(fine.owned, owned, communicator, 1u << dim);
+    // deal.II overflows on a rank that has no rows but expects entries in them
+    LA::SparsityPattern pattern(fine.owned,
+                                owned,
+                                communicator,
+                                fine.owned.n_elements() > 0 ? 1u << dim : 0);
     visit_rows(fine_constraints,
                [&](const auto row, const auto &columns, const auto &) {
                  pattern.add_entries(row, columns.begin(), columns.end());
