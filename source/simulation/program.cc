@@ -19,6 +19,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/multithread_info.h>
 
+#include <dlfcn.h>
+
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -59,6 +61,26 @@ namespace stickslip
       mallopt(M_MMAP_THRESHOLD, 1 << 20);
       mallopt(M_TRIM_THRESHOLD, 1 << 20);
 #endif
+    }
+
+
+
+    /**
+     * OpenBLAS takes as many threads as there are cores, in every rank: on one
+     * rank they help MUMPS, those of several ranks wait for each other. Whoever
+     * sets one of its variables has chosen.
+     */
+    void
+    share_cores_among_ranks()
+    {
+      using SetThreads       = void (*)(int);
+      const auto set_threads = reinterpret_cast<SetThreads>(
+        dlsym(RTLD_DEFAULT, "openblas_set_num_threads"));
+      const bool is_chosen = std::getenv("OPENBLAS_NUM_THREADS") != nullptr ||
+                             std::getenv("OMP_NUM_THREADS") != nullptr;
+      if (set_threads != nullptr && !is_chosen &&
+          Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+        set_threads(1);
     }
 
 
@@ -206,6 +228,7 @@ namespace stickslip
     // One thread per rank: MPI is the parallelism.
     dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
     return_free_memory();
+    share_cores_among_ranks();
     const auto report = [](const std::string &kind, const std::string &text) {
       if (is_speaker())
         std::cerr << "stickslip: " << kind << ": " << without_long_words(text)
