@@ -18,6 +18,17 @@ namespace stickslip
     const std::string name = "Linear solver (MUMPS)";
 
     const std::string singular_text = "the matrix is singular";
+
+
+
+    /// In the plane a bisection takes longer than the factorisation that it is
+    /// for (measured, doc/theory.md).
+    DistributedFactorization::Ordering
+    best_ordering(const unsigned int n_components)
+    {
+      using Ordering = DistributedFactorization::Ordering;
+      return n_components < 3 ? Ordering::minimum_fill : Ordering::automatic;
+    }
   } // namespace
 
 
@@ -36,11 +47,11 @@ namespace stickslip
 
 
   void
-  DirectSolver::number_rows(const LA::BlockSparseMatrix &matrix,
-                            const MPI_Comm              &communicator)
+  DirectSolver::number_rows(const LA::BlockSparseMatrix &matrix)
   {
-    const unsigned int n_blocks                  = matrix.n_block_rows();
-    numbering                                    = MergedNumbering();
+    const MPI_Comm     communicator = matrix.block(0, 0).get_mpi_communicator();
+    const unsigned int n_blocks     = matrix.n_block_rows();
+    numbering                       = MergedNumbering();
     types::global_dof_index              n_local = 0;
     std::vector<types::global_dof_index> sizes;
     for (unsigned int b = 0; b < n_blocks; ++b)
@@ -66,49 +77,70 @@ namespace stickslip
 
 
 
+  template <typename Visitor>
   void
-  DirectSolver::copy_blocks(const LA::BlockSparseMatrix &matrix,
-                            const MPI_Comm              &communicator)
+  DirectSolver::visit_rows(const LA::BlockSparseMatrix &matrix,
+                           const Visitor               &visit) const
   {
-    const unsigned int n_blocks = matrix.n_block_rows();
-    const unsigned int rank = Utilities::MPI::this_mpi_process(communicator);
+    std::vector<types::global_dof_index> columns;
+    std::vector<double>                  values;
+    for (unsigned int b = 0; b < matrix.n_block_rows(); ++b)
+      for (const auto i : matrix.block(b, b).locally_owned_range_indices())
+        {
+          columns.clear();
+          values.clear();
+          for (unsigned int c = 0; c < matrix.n_block_cols(); ++c)
+            if (matrix.block(b, c).n() > 0)
+              LA::visit_row(matrix.block(b, c),
+                            i,
+                            [&](const auto column, const double value) {
+                              columns.push_back(numbering(c, column));
+                              values.push_back(value);
+                            });
+          visit(numbering(b, i), columns, values);
+        }
+  }
+
+
+
+  void
+  DirectSolver::make_pattern(const LA::BlockSparseMatrix &matrix)
+  {
+    const MPI_Comm communicator   = matrix.block(0, 0).get_mpi_communicator();
     types::global_dof_index total = 0, n_local = 0;
-    for (unsigned int b = 0; b < n_blocks; ++b)
+    for (unsigned int b = 0; b < matrix.n_block_rows(); ++b)
       {
         total += matrix.block(b, b).m();
         n_local +=
           matrix.block(b, b).locally_owned_range_indices().n_elements();
       }
-    const types::global_dof_index start = numbering.merged_starts[0][rank];
-    IndexSet                      owned(total);
+    const types::global_dof_index start =
+      numbering
+        .merged_starts[0][Utilities::MPI::this_mpi_process(communicator)];
+    IndexSet owned(total);
     owned.add_range(start, start + n_local);
 
-    std::vector<std::vector<types::global_dof_index>> columns(n_local);
-    std::vector<std::vector<double>>                  values(n_local);
-    std::size_t                                       longest = 0;
-    for (unsigned int b = 0; b < n_blocks; ++b)
-      for (const auto i : matrix.block(b, b).locally_owned_range_indices())
-        {
-          const auto row = numbering(b, i) - start;
-          for (unsigned int c = 0; c < n_blocks; ++c)
-            if (matrix.block(b, c).n() > 0)
-              LA::visit_row(matrix.block(b, c),
-                            i,
-                            [&](const auto column, const double value) {
-                              columns[row].push_back(numbering(c, column));
-                              values[row].push_back(value);
-                            });
-          longest = std::max(longest, columns[row].size());
-        }
+    std::size_t longest = 0;
+    visit_rows(matrix, [&](const auto, const auto &columns, const auto &) {
+      longest = std::max(longest, columns.size());
+    });
     LA::SparsityPattern pattern(owned, owned, communicator, longest);
-    for (types::global_dof_index row = 0; row < n_local; ++row)
-      pattern.add_entries(start + row,
-                          columns[row].begin(),
-                          columns[row].end());
+    visit_rows(matrix, [&](const auto row, const auto &columns, const auto &) {
+      pattern.add_entries(row, columns.begin(), columns.end());
+    });
     pattern.compress();
     merged.reinit(pattern);
-    for (types::global_dof_index row = 0; row < n_local; ++row)
-      merged.set(start + row, columns[row], values[row], false);
+  }
+
+
+
+  void
+  DirectSolver::fill(const LA::BlockSparseMatrix &matrix)
+  {
+    visit_rows(matrix,
+               [&](const auto row, const auto &columns, const auto &values) {
+                 merged.set(row, columns, values, false);
+               });
     merged.compress(VectorOperation::insert);
   }
 
@@ -116,13 +148,24 @@ namespace stickslip
 
   void
   DirectSolver::setup(const LA::BlockSparseMatrix &matrix,
-                      const SystemDescriber &)
+                      const SystemDescriber       &describe)
   {
-    const MPI_Comm communicator = matrix.block(0, 0).get_mpi_communicator();
-    number_rows(matrix, communicator);
-    factorization.clear();
-    copy_blocks(matrix, communicator);
-    throw_if_failed(factorization.factorise(merged), name, singular_text);
+    const BlockSystemDescription &description = describe();
+    const bool new_pattern = merged.m() == 0 || description.layout != layout;
+    if (new_pattern)
+      {
+        layout = description.layout;
+        factorization.clear();
+        number_rows(matrix);
+        make_pattern(matrix);
+      }
+    fill(matrix);
+    throw_if_failed(factorization.factorise(merged,
+                                            best_ordering(
+                                              description.n_components),
+                                            /*same_pattern=*/!new_pattern),
+                    name,
+                    singular_text);
   }
 
 

@@ -38,17 +38,24 @@ namespace stickslip
                  const types::global_dof_index i) const;
     };
 
+    unsigned int             layout = 0; ///< of `merged`, if it is not empty
     LA::SparseMatrix         merged;
     MergedNumbering          numbering;
     DistributedFactorization factorization;
 
     void
-    number_rows(const LA::BlockSparseMatrix &matrix,
-                const MPI_Comm              &communicator);
+    number_rows(const LA::BlockSparseMatrix &matrix);
 
     void
-    copy_blocks(const LA::BlockSparseMatrix &matrix,
-                const MPI_Comm              &communicator);
+    make_pattern(const LA::BlockSparseMatrix &matrix);
+
+    void
+    fill(const LA::BlockSparseMatrix &matrix);
+
+    /// Calls visit(merged row, merged columns, values) for the owned rows.
+    template <typename Visitor>
+    void
+    visit_rows(const LA::BlockSparseMatrix &matrix, const Visitor &visit) const;
   };
 } // namespace stickslip
 

@@ -44,12 +44,16 @@ namespace stickslip
 
   struct DistributedFactorization::Factors
   {
-    Factors(const int supplement, const LA::SparseMatrix &matrix)
+    Factors(const LA::SparseMatrix &matrix,
+            const Ordering          ordering,
+            const int               supplement)
       : communicator(matrix.get_mpi_communicator())
     {
       problem.SetOperator(
         const_cast<Epetra_CrsMatrix *>(&matrix.trilinos_matrix()));
       solver = std::make_unique<Amesos_Mumps>(problem);
+      if (ordering == Ordering::minimum_fill)
+        solver->SetICNTL(7, 2);
       solver->SetICNTL(14, supplement);
     }
 
@@ -61,6 +65,13 @@ namespace stickslip
       if (code == 0)
         code = solver->NumericFactorization();
       return error(code);
+    }
+
+    FactorizationError
+    refactorise()
+    {
+      const SilentErrorStream silence;
+      return error(solver->NumericFactorization());
     }
 
     FactorizationError
@@ -120,12 +131,16 @@ namespace stickslip
 
 
   FactorizationError
-  DistributedFactorization::factorise(const LA::SparseMatrix &matrix)
+  DistributedFactorization::factorise(const LA::SparseMatrix &matrix,
+                                      const Ordering          ordering,
+                                      const bool              same_pattern)
   {
+    if (same_pattern && factors != nullptr && !factors->refactorise())
+      return FactorizationError();
     while (true)
       {
         factors.reset();
-        factors = std::make_unique<Factors>(supplement, matrix);
+        factors = std::make_unique<Factors>(matrix, ordering, supplement);
         const FactorizationError error = factors->factorise();
         if (error.kind != FactorizationError::Kind::workspace ||
             supplement >= largest_supplement)

@@ -26,15 +26,26 @@ namespace stickslip
     /// Supplement to the workspace that MUMPS estimates, in per cent.
     static constexpr int usual_supplement = 20;
 
+    /// How MUMPS numbers the unknowns (ICNTL(7)) to keep the factors sparse.
+    enum class Ordering
+    {
+      automatic,   ///< what MUMPS takes for best: a bisection, if it has one
+      minimum_fill ///< approximate minimum fill
+    };
+
     /// @p supplement: the first one tried [per cent].
     explicit DistributedFactorization(const int supplement = usual_supplement);
 
     ~DistributedFactorization();
 
-    /// Factorises @p matrix, which must outlive the factors. Returns the same
-    /// on all ranks. Collective.
+    /// Factorises @p matrix, which must outlive the factors. With
+    /// @p same_pattern it is the matrix of the last call with other values, for
+    /// which the order found then is tried first. Returns the same on all
+    /// ranks. Collective.
     [[nodiscard]] FactorizationError
-    factorise(const LA::SparseMatrix &matrix);
+    factorise(const LA::SparseMatrix &matrix,
+              const Ordering          ordering     = Ordering::automatic,
+              const bool              same_pattern = false);
 
     /// Solves for @p x, whose layout is that of @p b and of the rows. Returns
     /// the same on all ranks. Collective.
