@@ -164,20 +164,17 @@ namespace stickslip
   InterfaceSolver::factorise(const LA::BlockSparseMatrix &matrix,
                              const bool                   new_layout)
   {
+    factorization.clear();
     parts.clear();
     if (new_layout)
       {
-        factorization.clear();
         number_rows(matrix);
         make_pattern(matrix);
       }
     fill(matrix);
     if (!is_large())
       {
-        check(
-          factorization.factorise(interface,
-                                  DistributedFactorization::Ordering::automatic,
-                                  /*same_pattern=*/!new_layout));
+        check(factorization.factorise(interface));
         return;
       }
     std::vector<bool> is_multiplier;
