@@ -89,7 +89,7 @@ namespace stickslip
       return A.column_space().owned_unknowns().size();
     };
     add_level(A);
-    if (prolongation.n_rows() > 0)
+    if (second.n_global() > 0)
       coarsen(A, std::move(prolongation), second);
     while (levels.size() < max_levels && n_unknowns() > largest_coarsest_level)
       {

@@ -47,6 +47,13 @@ namespace stickslip
       return n_owned_nodes;
     }
 
+    /// Nodes of all ranks; none if it is only declared.
+    Index
+    n_global() const
+    {
+      return rank_begins.empty() ? 0 : rank_begins.back();
+    }
+
     /// Owned nodes and ghosts.
     unsigned int
     n_local() const

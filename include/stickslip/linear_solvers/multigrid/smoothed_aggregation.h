@@ -26,8 +26,8 @@ namespace stickslip
   {
   public:
     /**
-     * Makes the hierarchy of @p matrix. If @p prolongation has rows, they are
-     * that to the second level, whose nodes are @p second; @p modes are those
+     * Makes the hierarchy of @p matrix. If @p second has nodes, they are those
+     * of the second level, to which @p prolongation leads; @p modes are those
      * of the first level that is coarsened by aggregation. Throws ExceptionBase
      * if the coarsest matrix cannot be factorised. Collective.
      */
