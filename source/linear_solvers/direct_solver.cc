@@ -120,10 +120,14 @@ namespace stickslip
     IndexSet owned(total);
     owned.add_range(start, start + n_local);
 
-    std::size_t longest = 0;
-    visit_rows(matrix, [&](const auto, const auto &columns, const auto &) {
-      longest = std::max(longest, columns.size());
-    });
+    unsigned int longest = 0;
+    for (unsigned int b = 0; b < matrix.n_block_rows(); ++b)
+      {
+        unsigned int length = 0;
+        for (unsigned int c = 0; c < matrix.n_block_cols(); ++c)
+          length += LA::longest_row(matrix.block(b, c));
+        longest = std::max(longest, length);
+      }
     LA::SparsityPattern pattern(owned, owned, communicator, longest);
     visit_rows(matrix, [&](const auto row, const auto &columns, const auto &) {
       pattern.add_entries(row, columns.begin(), columns.end());
