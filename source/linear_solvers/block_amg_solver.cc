@@ -37,7 +37,7 @@ namespace stickslip
 
 
     /// Share of the augmentation that may change before the hierarchy has to.
-    constexpr double outdated_share = 0.05;
+    constexpr double outdated_share = 0.2;
 
 
 
@@ -124,18 +124,21 @@ namespace stickslip
     product.reinit(system);
     augmentation.reinit(system, *description, parameters.augmentation);
     scale_rows();
-    if (has_multipliers)
+    const bool needs_hierarchy =
+      description->near_null_space != near_null_space || rebuild;
+    // The interface makes up for springs that the hierarchy has of contacts
+    // that have opened since.
+    if (has_multipliers &&
+        interface.factorise(system,
+                            new_layout,
+                            needs_hierarchy ? LA::Vector() : built_stiffness))
       {
-        interface.factorise(system, new_layout);
-        if (new_layout)
-          {
-            const unsigned int n =
-              product.n_displacements() + product.n_multipliers();
-            correction.assign(n, 0.); // outside of the interface it stays so
-            product.set_part(interface.marks(n));
-          }
+        const unsigned int n =
+          product.n_displacements() + product.n_multipliers();
+        correction.assign(n, 0.); // outside of the interface it stays so
+        product.set_part(interface.marks(n));
       }
-    if (description->near_null_space != near_null_space || rebuild)
+    if (needs_hierarchy)
       build_hierarchy();
     else
       is_outdated = hierarchy_is_outdated();

@@ -42,6 +42,8 @@ namespace stickslip
       LA::visit_row(matrix.block(row.block, c),
                     row.index,
                     [&](const auto column, const double value) {
+                      if (value == 0.)
+                        return;
                       const double number = numbers[c](column);
                       if (number > 0.)
                         visit(static_cast<types::global_dof_index>(number -
@@ -53,34 +55,25 @@ namespace stickslip
 
 
   void
-  InterfaceSolver::number_rows(const LA::BlockSparseMatrix &matrix)
+  InterfaceSolver::find_surface(const LA::BlockSparseMatrix &matrix)
   {
-    const MPI_Comm communicator = matrix.block(0, 0).get_mpi_communicator();
-    rows.clear();
+    surface.clear();
     unsigned int entry = 0;
     for (const auto i : matrix.block(0, 0).locally_owned_range_indices())
       {
         if (LA::row_length(matrix.block(0, 1), i) > 0)
-          rows.push_back({0, i, entry});
+          surface.push_back({0, i, entry});
         ++entry;
       }
     for (const auto i : matrix.block(1, 1).locally_owned_range_indices())
-      rows.push_back({1, i, entry++});
-    const types::global_dof_index n_owned = rows.size();
-    first                                 = 0;
-    const int error                       = MPI_Exscan(
-      &n_owned, &first, 1, DEAL_II_DOF_INDEX_MPI_TYPE, MPI_SUM, communicator);
-    AssertThrowMPI(error);
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      first = 0; // MPI leaves it undefined there
+      surface.push_back({1, i, entry++});
 
-    // tell the other ranks the numbers of the columns that they see
     for (unsigned int block = 0; block < 2; ++block)
       {
         const IndexSet owned =
           matrix.block(block, block).locally_owned_range_indices();
         std::vector<types::global_dof_index> seen;
-        for (const Row &row : rows)
+        for (const Row &row : surface)
           LA::visit_row(matrix.block(row.block, block),
                         row.index,
                         [&](const auto column, const double) {
@@ -90,14 +83,81 @@ namespace stickslip
         std::sort(seen.begin(), seen.end());
         IndexSet needed = owned;
         needed.add_indices(seen.begin(), std::unique(seen.begin(), seen.end()));
-        LA::Vector mine(owned, communicator);
-        for (unsigned int k = 0; k < rows.size(); ++k)
-          if (rows[k].block == block)
-            mine(rows[k].index) = first + k + 1.;
-        mine.compress(VectorOperation::insert);
-        numbers[block].reinit(owned, needed, communicator);
-        numbers[block] = mine;
+        numbers[block].reinit(owned,
+                              needed,
+                              matrix.block(0, 0).get_mpi_communicator());
       }
+  }
+
+
+
+  template <typename Value>
+  void
+  InterfaceSolver::set_numbers(const unsigned int      block,
+                               const std::vector<Row> &of_rows,
+                               const Value            &value)
+  {
+    LA::Vector mine(numbers[block].locally_owned_elements(),
+                    numbers[block].get_mpi_communicator());
+    for (unsigned int k = 0; k < of_rows.size(); ++k)
+      if (of_rows[k].block == block)
+        mine(of_rows[k].index) = value(k);
+    mine.compress(VectorOperation::insert);
+    numbers[block] = mine;
+  }
+
+
+
+  std::vector<InterfaceSolver::Row>
+  InterfaceSolver::rows_near_contact(const LA::BlockSparseMatrix &matrix,
+                                     const LA::Vector            &also_acting)
+  {
+    const auto is_any = [](const LA::SparseMatrix       &block,
+                           const types::global_dof_index row,
+                           const auto                   &condition) {
+      bool result = false;
+      LA::visit_row(block, row, [&](const auto column, const double value) {
+        result = result || condition(column, value);
+      });
+      return result;
+    };
+    set_numbers(1, surface, [&](const unsigned int k) {
+      return also_acting.size() > 0 ? also_acting(surface[k].index) : 0.;
+    });
+    set_numbers(0, surface, [&](const unsigned int k) {
+      return is_any(matrix.block(0, 1),
+                    surface[k].index,
+                    [&](const auto column, const double value) {
+                      return value != 0. || numbers[1](column) > 0.;
+                    });
+    });
+    std::vector<Row> result;
+    for (const Row &row : surface)
+      if (row.block == 1 || is_any(matrix.block(0, 0),
+                                   row.index,
+                                   [&](const auto column, const double) {
+                                     return numbers[0](column) > 0.;
+                                   }))
+        result.push_back(row);
+    return result;
+  }
+
+
+
+  void
+  InterfaceSolver::number_rows(const MPI_Comm communicator)
+  {
+    const types::global_dof_index n_owned = rows.size();
+    first                                 = 0;
+    const int error                       = MPI_Exscan(
+      &n_owned, &first, 1, DEAL_II_DOF_INDEX_MPI_TYPE, MPI_SUM, communicator);
+    AssertThrowMPI(error);
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      first = 0; // MPI leaves it undefined there
+    for (unsigned int block = 0; block < 2; ++block)
+      set_numbers(block, rows, [&](const unsigned int k) {
+        return first + k + 1.;
+      });
   }
 
 
@@ -160,27 +220,44 @@ namespace stickslip
 
 
 
-  void
+  bool
+  InterfaceSolver::determine_rows(const LA::BlockSparseMatrix &matrix,
+                                  const bool                   new_layout,
+                                  const LA::Vector            &also_acting)
+  {
+    const MPI_Comm communicator = matrix.block(0, 0).get_mpi_communicator();
+    if (new_layout)
+      find_surface(matrix);
+    std::vector<Row> now = rows_near_contact(matrix, also_acting);
+    const bool       has_changed =
+      Utilities::MPI::max<int>(new_layout || now != rows, communicator);
+    rows = std::move(now);
+    number_rows(communicator);
+    return has_changed;
+  }
+
+
+
+  bool
   InterfaceSolver::factorise(const LA::BlockSparseMatrix &matrix,
-                             const bool                   new_layout)
+                             const bool                   new_layout,
+                             const LA::Vector            &also_acting)
   {
     factorization.clear();
     parts.clear();
-    if (new_layout)
-      {
-        number_rows(matrix);
-        make_pattern(matrix);
-      }
+    const bool has_changed = determine_rows(matrix, new_layout, also_acting);
+    make_pattern(matrix);
     fill(matrix);
     if (!is_large())
+      check(factorization.factorise(interface));
+    else
       {
-        check(factorization.factorise(interface));
-        return;
+        std::vector<bool> is_multiplier;
+        for (const Row &row : rows)
+          is_multiplier.push_back(row.block == 1);
+        check(parts.factorise(interface, is_multiplier, has_changed));
       }
-    std::vector<bool> is_multiplier;
-    for (const Row &row : rows)
-      is_multiplier.push_back(row.block == 1);
-    check(parts.factorise(interface, is_multiplier, new_layout));
+    return has_changed;
   }
 
 

@@ -234,6 +234,33 @@ namespace
 
 
 
+  /// Open contact: no displacement is in the interface, unless its multipliers
+  /// count as acting.
+  template <int dim>
+  void
+  test_open_interface(const int degree)
+  {
+    Tower<dim>      tower(degree, 0.25);
+    const auto     &K = tower.problem.matrix();
+    LA::Vector      all(tower.problem.zero_state().block(1));
+    InterfaceSolver interface(100000);
+    const bool      is_new = interface.factorise(K, true);
+    print("  unknowns of the interface of open contact: " +
+          std::to_string(interface.n_unknowns()) + " of " +
+          std::to_string(K.m()) +
+          ", multipliers: " + std::to_string(K.block(1, 1).m()));
+    const bool is_same = !interface.factorise(K, false);
+    all                = 1.;
+    const bool grows   = interface.factorise(K, false, all);
+    print("  with multipliers that count as acting: " +
+          std::to_string(interface.n_unknowns()));
+    const bool shrinks = interface.factorise(K, false);
+    print("  it tells when it is another one",
+          is_new && is_same && grows && shrinks);
+  }
+
+
+
   template <int dim>
   void
   test(const int degree)
@@ -241,6 +268,7 @@ namespace
     print(std::to_string(dim) + "D, degree " + std::to_string(degree));
     test_modes<dim>(degree);
     test_interface<dim>(degree);
+    test_open_interface<dim>(degree);
   }
 } // namespace
 
