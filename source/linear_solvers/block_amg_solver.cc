@@ -126,17 +126,19 @@ namespace stickslip
     scale_rows();
     const bool needs_hierarchy =
       description->near_null_space != near_null_space || rebuild;
-    // The interface makes up for springs that the hierarchy has of contacts
-    // that have opened since.
-    if (has_multipliers &&
-        interface.factorise(system,
-                            new_layout,
-                            needs_hierarchy ? LA::Vector() : built_stiffness))
+    if (has_multipliers)
       {
-        const unsigned int n =
-          product.n_displacements() + product.n_multipliers();
-        correction.assign(n, 0.); // outside of the interface it stays so
-        product.set_part(interface.marks(n));
+        // The interface makes up for springs that the hierarchy has of contacts
+        // that have opened since.
+        if (interface.determine_unknowns(
+              system, new_layout, needs_hierarchy ? nullptr : &built_stiffness))
+          {
+            const unsigned int n =
+              product.n_displacements() + product.n_multipliers();
+            correction.assign(n, 0.); // outside of the interface it stays so
+            product.set_part(interface.marks(n));
+          }
+        interface.factorise(system);
       }
     if (needs_hierarchy)
       build_hierarchy();

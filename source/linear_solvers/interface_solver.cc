@@ -110,7 +110,7 @@ namespace stickslip
 
   std::vector<InterfaceSolver::Row>
   InterfaceSolver::rows_near_contact(const LA::BlockSparseMatrix &matrix,
-                                     const LA::Vector            &also_acting)
+                                     const LA::Vector            *also_acting)
   {
     const auto is_any = [](const LA::SparseMatrix       &block,
                            const types::global_dof_index row,
@@ -122,7 +122,7 @@ namespace stickslip
       return result;
     };
     set_numbers(1, surface, [&](const unsigned int k) {
-      return also_acting.size() > 0 ? also_acting(surface[k].index) : 0.;
+      return also_acting != nullptr ? (*also_acting)(surface[k].index) : 0.;
     });
     set_numbers(0, surface, [&](const unsigned int k) {
       return is_any(matrix.block(0, 1),
@@ -131,6 +131,8 @@ namespace stickslip
                       return value != 0. || numbers[1](column) > 0.;
                     });
     });
+    // what the pattern couples: more than neighbours where facets have changed,
+    // and whatever a row of B sees
     std::vector<Row> result;
     for (const Row &row : surface)
       if (row.block == 1 || is_any(matrix.block(0, 0),
@@ -221,9 +223,9 @@ namespace stickslip
 
 
   bool
-  InterfaceSolver::determine_rows(const LA::BlockSparseMatrix &matrix,
-                                  const bool                   new_layout,
-                                  const LA::Vector            &also_acting)
+  InterfaceSolver::determine_unknowns(const LA::BlockSparseMatrix &matrix,
+                                      const bool                   new_layout,
+                                      const LA::Vector            *also_acting)
   {
     const MPI_Comm communicator = matrix.block(0, 0).get_mpi_communicator();
     if (new_layout)
@@ -238,26 +240,22 @@ namespace stickslip
 
 
 
-  bool
-  InterfaceSolver::factorise(const LA::BlockSparseMatrix &matrix,
-                             const bool                   new_layout,
-                             const LA::Vector            &also_acting)
+  void
+  InterfaceSolver::factorise(const LA::BlockSparseMatrix &matrix)
   {
     factorization.clear();
     parts.clear();
-    const bool has_changed = determine_rows(matrix, new_layout, also_acting);
     make_pattern(matrix);
     fill(matrix);
     if (!is_large())
-      check(factorization.factorise(interface));
-    else
       {
-        std::vector<bool> is_multiplier;
-        for (const Row &row : rows)
-          is_multiplier.push_back(row.block == 1);
-        check(parts.factorise(interface, is_multiplier, has_changed));
+        check(factorization.factorise(interface));
+        return;
       }
-    return has_changed;
+    std::vector<bool> is_multiplier;
+    for (const Row &row : rows)
+      is_multiplier.push_back(row.block == 1);
+    check(parts.factorise(interface, is_multiplier));
   }
 
 

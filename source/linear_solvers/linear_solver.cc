@@ -80,8 +80,9 @@ namespace stickslip
     prm.add_parameter(
       "Largest zone",
       largest_zone,
-      expert("block AMG: unknowns of the contact zone (multipliers and "
-             "what they touch) up to which it is factorised as a whole. A "
+      expert("block AMG: unknowns of the contact zone (multipliers, and "
+             "displacements where they act) up to which it is factorised as a "
+             "whole. A "
              "larger one is solved in overlapping parts of about this size, "
              "which may take more iterations."),
       Patterns::Integer(100));

@@ -70,8 +70,7 @@ namespace stickslip
 
   FactorizationError
   OverlappingParts::factorise(const LA::SparseMatrix  &matrix,
-                              const std::vector<bool> &is_multiplier,
-                              const bool               new_pattern)
+                              const std::vector<bool> &is_multiplier)
   {
     parts.clear();
     const Rows                rows = see_rows(matrix, is_multiplier);
@@ -79,8 +78,7 @@ namespace stickslip
     FactorizationError        error;
     try
       {
-        if (new_pattern)
-          choose_parts(matrix);
+        choose_parts(matrix);
         start_parts();
         for (auto part = parts.begin(); part != parts.end() && !error; ++part)
           {
@@ -142,7 +140,6 @@ namespace stickslip
     part_of.assign(n_owned, 0);
     if (n_parts < 2)
       return;
-    // with zeros, which later matrices may fill
     DynamicSparsityPattern graph(n_owned, n_owned);
     const auto             first = space.global(0);
     for (unsigned int row = 0; row < n_owned; ++row)

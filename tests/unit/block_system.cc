@@ -204,7 +204,8 @@ namespace
             residual.block(0).l2_norm() < 100. * before);
 
     InterfaceSolver interface(100000);
-    interface.factorise(K, true);
+    interface.determine_unknowns(K, true);
+    interface.factorise(K);
     print(
       "  unknowns of the interface: " + std::to_string(interface.n_unknowns()) +
       " of " + std::to_string(K.m()));
@@ -244,17 +245,26 @@ namespace
     const auto     &K = tower.problem.matrix();
     LA::Vector      all(tower.problem.zero_state().block(1));
     InterfaceSolver interface(100000);
-    const bool      is_new = interface.factorise(K, true);
+    const bool      is_new = interface.determine_unknowns(K, true);
+    interface.factorise(K);
     print("  unknowns of the interface of open contact: " +
           std::to_string(interface.n_unknowns()) + " of " +
           std::to_string(K.m()) +
           ", multipliers: " + std::to_string(K.block(1, 1).m()));
-    const bool is_same = !interface.factorise(K, false);
+    const bool is_same = !interface.determine_unknowns(K, false);
     all                = 1.;
-    const bool grows   = interface.factorise(K, false, all);
+    const bool grows   = interface.determine_unknowns(K, false, &all);
+    interface.factorise(K);
     print("  with multipliers that count as acting: " +
           std::to_string(interface.n_unknowns()));
-    const bool shrinks = interface.factorise(K, false);
+    LA::Vector one(all);
+    one = 0.;
+    if (one.locally_owned_elements().is_element(0))
+      one(0) = 1.;
+    one.compress(VectorOperation::insert);
+    const bool shrinks = interface.determine_unknowns(K, false, &one);
+    interface.factorise(K);
+    print("  with one of them: " + std::to_string(interface.n_unknowns()));
     print("  it tells when it is another one",
           is_new && is_same && grows && shrinks);
   }

@@ -1,7 +1,7 @@
 // Overlapping parts of a saddle point matrix: two membranes of n x n nodes, of
 // which multipliers hold the upper one by ties to the lower one, as contact
-// does. One part is an exact solve; several make a preconditioner, also if
-// they were chosen when all ties were open.
+// does. One part is an exact solve; several make a preconditioner, also if all
+// ties were open in the matrix before.
 
 #include "print.h"
 
@@ -137,7 +137,7 @@ namespace
       {
         const TiedMembranes     &tied = is_first ? open : closed;
         const FactorizationError error =
-          parts.factorise(tied.matrix, tied.is_multiplier, is_first);
+          parts.factorise(tied.matrix, tied.is_multiplier);
         AssertThrow(!error, ExcInternalError());
       }
     LA::Vector x(closed.b);
@@ -164,7 +164,7 @@ namespace
     membranes.matrix.compress(VectorOperation::insert);
     OverlappingParts         parts(40);
     const FactorizationError error =
-      parts.factorise(membranes.matrix, membranes.is_multiplier, true);
+      parts.factorise(membranes.matrix, membranes.is_multiplier);
     print("a row of zeros is noticed on all ranks",
           error.kind == FactorizationError::Kind::singular);
   }

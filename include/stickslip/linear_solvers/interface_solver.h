@@ -14,10 +14,11 @@ namespace stickslip
 {
   /**
    * Solves on the contact interface: all multipliers, all displacements on
-   * which one of them acts now, and those next to these on the surfaces. (Most
-   * of what may come into contact is open in most problems, where multigrid is
-   * enough; without the margin a partly open interface of two cubes takes a
-   * quarter more iterations.) Its matrix is that part of [A C; B -E],
+   * which one of them acts now, and those of the surfaces that the pattern of
+   * the matrix couples with these, their neighbours above all. (Most of what
+   * may come into contact is open in most problems, where multigrid is enough;
+   * without the margin a partly open interface of two cubes takes a quarter
+   * more iterations.) Its matrix is that part of [A C; B -E],
    * factorised by MUMPS, so that nothing has to be guessed of a Schur
    * complement. It is a surface and small beside the bodies; where it is too
    * large all the same, it is solved in overlapping parts.
@@ -29,15 +30,20 @@ namespace stickslip
     /// a part of a larger interface.
     explicit InterfaceSolver(const unsigned int largest);
 
-    /// Factorises the interface of @p matrix. Multipliers that are greater than
-    /// zero in @p also_acting, if it has entries, count as acting. Returns on
-    /// all ranks whether the interface has other unknowns than that of the last
-    /// call, as always with a @p new_layout. Throws NoConvergence if it cannot
-    /// be factorised. Collective.
+    /// Finds out which unknowns of @p matrix belong to the interface.
+    /// Multipliers that are greater than zero in @p also_acting count as
+    /// acting. Returns on all ranks whether these are others than after the
+    /// last call, as always with a @p new_layout, which the first matrix has.
+    /// Collective.
     bool
-    factorise(const LA::BlockSparseMatrix &matrix,
-              const bool                   new_layout,
-              const LA::Vector            &also_acting = LA::Vector());
+    determine_unknowns(const LA::BlockSparseMatrix &matrix,
+                       const bool                   new_layout,
+                       const LA::Vector            *also_acting = nullptr);
+
+    /// Factorises the interface of @p matrix, which determine_unknowns() has
+    /// seen. Throws NoConvergence if it cannot be factorised. Collective.
+    void
+    factorise(const LA::BlockSparseMatrix &matrix);
 
     /// One where an owned unknown is in the interface, zero elsewhere, for
     /// @p n owned ones.
@@ -49,7 +55,7 @@ namespace stickslip
     void
     solve(OwnedEntries &x, const OwnedEntries &residual);
 
-    /// Unknowns of the interface, over all ranks.
+    /// Unknowns of the interface that has been factorised, over all ranks.
     types::global_dof_index
     n_unknowns() const
     {
@@ -75,33 +81,32 @@ namespace stickslip
     std::vector<Row>          surface; ///< owned rows that may touch contact
     std::vector<Row>          rows;    ///< those of the interface, in order
     types::global_dof_index   first;   ///< number of rows[0] in the interface
-    std::array<LA::Vector, 2> numbers; ///< interface number + 1, ghosted
-    LA::SparseMatrix          interface;
-    LA::Vector                rhs, solution;
-    DistributedFactorization  factorization; ///< of the whole interface
-    OverlappingParts          parts;         ///< if it is larger than `largest`
+    std::array<LA::Vector, 2> numbers; ///< interface number + 1, ghosted; other
+                                       ///< marks in rows_near_contact()
+    LA::SparseMatrix         interface;
+    LA::Vector               rhs, solution;
+    DistributedFactorization factorization; ///< of the whole interface
+    OverlappingParts         parts;         ///< if it is larger than `largest`
 
     /// What is true of the layout: `surface` and the ghosts of `numbers`.
     void
     find_surface(const LA::BlockSparseMatrix &matrix);
 
-    /// Determines the rows. Returns whether they are others. Collective.
-    bool
-    determine_rows(const LA::BlockSparseMatrix &matrix,
-                   const bool                   new_layout,
-                   const LA::Vector            &also_acting);
-
+    /// The rows of the interface. Collective; `numbers` is no longer what it
+    /// says until number_rows().
     std::vector<Row>
     rows_near_contact(const LA::BlockSparseMatrix &matrix,
-                      const LA::Vector            &also_acting);
+                      const LA::Vector            *also_acting);
 
     /// numbers[block] = value(k) for the unknown of row k, else zero.
+    /// Collective.
     template <typename Value>
     void
     set_numbers(const unsigned int      block,
                 const std::vector<Row> &of_rows,
                 const Value            &value);
 
+    /// Collective.
     void
     number_rows(const MPI_Comm communicator);
 

@@ -33,13 +33,13 @@ namespace stickslip
 
     /**
      * @p is_multiplier, by owned row: which rows are those of multipliers.
-     * @p new_pattern: the parts are chosen anew. Returns the most
-     * severe error of all parts, the same on all ranks. Collective.
+     * Parts are chosen for each matrix, since what is next to each other
+     * depends on which contacts are closed. Returns the most severe error of
+     * all parts, the same on all ranks. Collective.
      */
     [[nodiscard]] FactorizationError
     factorise(const LA::SparseMatrix  &matrix,
-              const std::vector<bool> &is_multiplier,
-              const bool               new_pattern);
+              const std::vector<bool> &is_multiplier);
 
     /// x = an approximate solution for @p b. Collective.
     void
