@@ -37,7 +37,7 @@ namespace stickslip
 
 
     /// Share of the augmentation that may change before the hierarchy has to.
-    constexpr double outdated_share = 0.2;
+    constexpr double outdated_share = 0.05;
 
 
 
