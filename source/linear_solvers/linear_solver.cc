@@ -82,9 +82,8 @@ namespace stickslip
       largest_zone,
       expert("block AMG: unknowns of the contact zone (multipliers, and "
              "displacements where they act) up to which it is factorised as a "
-             "whole. A "
-             "larger one is solved in overlapping parts of about this size, "
-             "which may take more iterations."),
+             "whole. A larger one is solved in overlapping parts of about this "
+             "size, which may take more iterations."),
       Patterns::Integer(100));
     prm.add_parameter(
       "Rebuild factor",
