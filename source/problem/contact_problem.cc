@@ -263,7 +263,7 @@ namespace stickslip
     Timer           timer;
     LA::BlockVector internal = zero_state(), external = zero_state(),
                     contact = zero_state();
-    LA::Vector row_scale(contact.block(1)), row_force(contact.block(1));
+    ContactRowSizes row_sizes(contact.block(1));
     solid_assembler->add_residual(
       u, time, constraints->geometric(), internal.block(0), external.block(0));
     internal.compress(VectorOperation::add);
@@ -272,11 +272,9 @@ namespace stickslip
     timer.restart();
     contact_assembler->add_residual(constraints->geometric(),
                                     contact,
-                                    row_scale,
-                                    row_force);
+                                    row_sizes);
     contact.compress(VectorOperation::add);
-    row_scale.compress(VectorOperation::add);
-    row_force.compress(VectorOperation::add);
+    row_sizes.compress();
     counts.contact_seconds += timer.wall_time();
 
     forces = internal.block(0);
@@ -294,7 +292,7 @@ namespace stickslip
         "conditions') is not a number at time " +
         std::to_string(time) + ".");
     ResidualNorms norms = residual_norms(
-      {imbalance, external.block(0), contact.block(1), row_scale, row_force},
+      {imbalance, external.block(0), contact.block(1), row_sizes},
       constraints->increment(),
       force_floor,
       communicator);

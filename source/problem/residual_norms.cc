@@ -70,14 +70,15 @@ namespace stickslip
       double                        largest         = 0.;
       for (const auto i : parts.contact_rows.locally_owned_elements())
         if (!increment.is_constrained(n_displacements + i) &&
-            parts.row_scale(i) > 0.)
+            parts.row_sizes.scale(i) > 0.)
           {
-            const double error =
-              std::abs(parts.contact_rows(i)) / parts.row_scale(i);
-            largest = std::max(largest, error);
+            const double known =
+              std::abs(parts.contact_rows(i)) - parts.row_sizes.roundoff(i);
+            const double error = std::max(known, 0.) / parts.row_sizes.scale(i);
+            largest            = std::max(largest, error);
             // An error beyond 1 is no worse: in slip a Lambda that is too long
             // leaves the traction as it is, and the next iteration mends it.
-            const double force = std::min(error, 1.) * parts.row_force(i);
+            const double force = std::min(error, 1.) * parts.row_sizes.force(i);
             squares.contact += force * force;
           }
       return largest;

@@ -3,6 +3,8 @@
 
 #include <stickslip/base/types.h>
 
+#include <stickslip/contact/assembly/contact_row_sizes.h>
+
 #include <deal.II/base/mpi.h>
 
 namespace stickslip
@@ -15,7 +17,8 @@ namespace stickslip
     /// ||F_int + F_contact - F_ext|| over ||F_ext|| or the reactions,
     /// whichever is larger (paper, eq. 25).
     double equilibrium = 0.;
-    /// Largest gap over face size, or |Lambda| mismatch, of any contact row.
+    /// Largest gap over face size, or |Lambda| mismatch, of any contact row,
+    /// beyond what the roundoff of positions makes of it.
     double contact = 0.;
     /// Largest prescribed displacement that is not yet applied.
     double prescribed = 0.;
@@ -30,11 +33,10 @@ namespace stickslip
   /// What a residual is made of; vectors of locally owned entries.
   struct ResidualParts
   {
-    const LA::Vector &unbalanced; ///< forces minus loads
-    const LA::Vector &loads;
-    const LA::Vector &contact_rows;
-    const LA::Vector &row_scale; ///< see ContactAssembler::add_residual()
-    const LA::Vector &row_force; ///< likewise
+    const LA::Vector      &unbalanced; ///< forces minus loads
+    const LA::Vector      &loads;
+    const LA::Vector      &contact_rows;
+    const ContactRowSizes &row_sizes;
   };
 
   /**

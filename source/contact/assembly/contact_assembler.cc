@@ -4,10 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace stickslip
 {
+  namespace
+  {
+    /// Gaps and slips are known up to this fraction of the distance from the
+    /// origin: they are differences of up to four places, each rounded.
+    constexpr double roundoff_of_place =
+      4. * std::numeric_limits<double>::epsilon();
+  } // namespace
+
+
+
   template <int dim>
   ContactAssembler<dim>::ContactAssembler(
     std::vector<std::unique_ptr<ContactPair<dim>>> contact_pairs,
@@ -252,8 +263,7 @@ namespace stickslip
   void
   ContactAssembler<dim>::add_residual(const Constraints &geometric,
                                       LA::BlockVector   &residual,
-                                      LA::Vector        &row_scale,
-                                      LA::Vector        &row_force)
+                                      ContactRowSizes   &sizes)
   {
     Vector<double> local;
     for (const auto &pair : pairs)
@@ -279,15 +289,20 @@ namespace stickslip
             point.scales.stiffness * slave.face.diameter;
           const double friction_stress =
             friction_scale * point.regularization.r_t_law;
+          const double roundoff =
+            state.status.closed
+              ? roundoff_of_place * pair->slave_position(point).x.norm()
+              : 0.;
           for (unsigned int l = 0; l < L.size(); ++l)
             for (unsigned int c = 0; c < n_comp; ++c)
               {
                 const auto   dof  = slave.multiplier_dofs[l * n_comp + c];
                 const double area = point.geometry.weight * std::abs(L[l]);
-                row_scale(dof) +=
+                sizes.scale(dof) +=
                   area * (c == 0 ? slave.face.diameter : friction_scale);
-                row_force(dof) +=
+                sizes.force(dof) +=
                   area * (c == 0 ? normal_stress : friction_stress);
+                sizes.roundoff(dof) += area * roundoff;
               }
         }
   }

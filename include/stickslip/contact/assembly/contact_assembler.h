@@ -1,6 +1,7 @@
 #ifndef stickslip_contact_assembly_contact_assembler_h
 #define stickslip_contact_assembly_contact_assembler_h
 
+#include <stickslip/contact/assembly/contact_row_sizes.h>
 #include <stickslip/contact/assembly/linearized_friction.h>
 #include <stickslip/contact/assembly/point_evaluator.h>
 
@@ -64,16 +65,11 @@ namespace stickslip
     accept_iterate();
 
     /// Adds, condensed with @p geometric, the contact forces to block 0 and the
-    /// contact rows to block 1 of @p residual. @p row_scale collects the size
-    /// that a contact row has for a gap of one face diameter, or |Lambda| off
-    /// by
-    /// one; @p row_force what this gap, closed by the stiffness of the contact,
-    /// and this Lambda are as forces.
+    /// contact rows to block 1 of @p residual, and their sizes to @p sizes.
     void
     add_residual(const Constraints &geometric,
                  LA::BlockVector   &residual,
-                 LA::Vector        &row_scale,
-                 LA::Vector        &row_force);
+                 ContactRowSizes   &sizes);
 
     /// Adds the derivative of the residual and subtracts the residual from
     /// @p rhs. With @p linearize_geometry = false the geometric terms are left
