@@ -49,9 +49,9 @@ namespace stickslip
           }
         diagonal.end_row(1);
       }
-    return galerkin_product(BlockMatrix<double>(std::move(diagonal),
-                                                multipliers,
-                                                multipliers),
+    return galerkin_product(BlockMatrix(std::move(diagonal),
+                                        multipliers,
+                                        multipliers),
                             read_blocks<double>(B, 1, n),
                             displacements);
   }

@@ -172,12 +172,13 @@ namespace
 
     InterfaceAugmentation augmentation;
     augmentation.reinit(K, system, 4.);
-    const NodeSpace           nodes(problem.layout().owned,
+    const NodeSpace   nodes(problem.layout().owned,
                           system.n_components,
                           MPI_COMM_WORLD);
-    const BlockMatrix<double> added(
-      augmentation.added_blocks(system.n_components), nodes, nodes);
-    LA::BlockVector x = problem.zero_state(), product(x), residual(x);
+    const BlockMatrix added(augmentation.added_blocks(system.n_components),
+                            nodes,
+                            nodes);
+    LA::BlockVector   x = problem.zero_state(), product(x), residual(x);
     fill(x.block(0));
     fill(x.block(1));
     K.block(0, 0).vmult(product.block(0), x.block(0));

@@ -16,9 +16,9 @@ namespace stickslip
 
     template <typename Visitor>
     void
-    visit_neighbours(const BlockMatrix<double> &matrix,
-                     const unsigned int         node,
-                     const Visitor             &visit)
+    visit_neighbours(const BlockMatrix &matrix,
+                     const unsigned int node,
+                     const Visitor     &visit)
     {
       for (auto k = matrix.column_begin(node);
            k < matrix.column_begin(node + 1);
@@ -30,7 +30,7 @@ namespace stickslip
 
 
     bool
-    has_neighbours(const BlockMatrix<double> &matrix, const unsigned int node)
+    has_neighbours(const BlockMatrix &matrix, const unsigned int node)
     {
       bool result = false;
       visit_neighbours(matrix, node, [&](const unsigned int) {
@@ -42,8 +42,8 @@ namespace stickslip
 
 
     void
-    aggregate_free_neighbourhoods(const BlockMatrix<double> &matrix,
-                                  Aggregates                &aggregates)
+    aggregate_free_neighbourhoods(const BlockMatrix &matrix,
+                                  Aggregates        &aggregates)
     {
       auto &of_node = aggregates.of_node;
       for (unsigned int node = 0; node < matrix.n_rows(); ++node)
@@ -68,7 +68,7 @@ namespace stickslip
 
 
     void
-    join_neighbours(const BlockMatrix<double> &matrix, Aggregates &aggregates)
+    join_neighbours(const BlockMatrix &matrix, Aggregates &aggregates)
     {
       const std::vector<unsigned int> first = aggregates.of_node;
       std::vector<unsigned int>       connections(aggregates.n, 0);
@@ -95,7 +95,7 @@ namespace stickslip
 
 
     void
-    aggregate_rest(const BlockMatrix<double> &matrix, Aggregates &aggregates)
+    aggregate_rest(const BlockMatrix &matrix, Aggregates &aggregates)
     {
       auto &of_node = aggregates.of_node;
       for (unsigned int node = 0; node < matrix.n_rows(); ++node)
@@ -161,7 +161,7 @@ namespace stickslip
 
 
   Aggregates
-  find_aggregates(const BlockMatrix<double> &matrix)
+  find_aggregates(const BlockMatrix &matrix)
   {
     Aggregates aggregates;
     aggregates.of_node.assign(matrix.n_rows(), Aggregates::none);

@@ -50,9 +50,8 @@ namespace stickslip
 
 
   void
-  BlockGaussSeidel::set_order(const BlockMatrix<double> &A)
+  BlockGaussSeidel::set_order(const BlockMatrix &A)
   {
-    const NodeSpace  &space = A.column_space();
     std::vector<bool> is_first(space.n_owned(), false);
     for (const auto &[rank, nodes] : space.seen_elsewhere())
       for (const auto node : nodes)
@@ -75,9 +74,9 @@ namespace stickslip
 
 
   void
-  BlockGaussSeidel::reinit(BlockMatrix<double> &A)
+  BlockGaussSeidel::reinit(BlockMatrix &A)
   {
-    const NodeSpace &space = A.column_space();
+    space = A.column_space();
     set_order(A);
     exchange.reinit(space);
     std::vector<unsigned int> place(space.n_local());
@@ -88,18 +87,18 @@ namespace stickslip
                       ? 0
                       : order.size() + 1;
     A.sort_columns(place);
-    split_rows(A);
+    invert_diagonal(A);
+    copy_triangles(A);
   }
 
 
 
   void
-  BlockGaussSeidel::split_rows(const BlockMatrix<double> &A)
+  BlockGaussSeidel::invert_diagonal(const BlockMatrix &A)
   {
     const unsigned int n = A.n_rows();
     inverse_begins.assign(1, 0);
     diagonals.resize(n);
-    lower_widths.resize(n);
     lower_residual.resize(A.row_begin(n));
     unsigned int highest = 0;
     for (unsigned int node = 0; node < n; ++node)
@@ -116,8 +115,7 @@ namespace stickslip
         std::size_t        k      = A.column_begin(node);
         while (k < A.column_begin(node + 1) && A.column(k) != node)
           offset += A.block_width(k++);
-        diagonals[node]    = k;
-        lower_widths[node] = offset;
+        diagonals[node] = k;
         AssertThrow(k < A.column_begin(node + 1),
                     ExcMessage("A diagonal block is zero."));
         double *const block = inverses.data() + inverse_begins[node];
@@ -128,6 +126,23 @@ namespace stickslip
         invert(block, size);
       }
     defect.resize(highest);
+  }
+
+
+
+  void
+  BlockGaussSeidel::copy_triangles(const BlockMatrix &A)
+  {
+    CycleMatrix::Part below, above;
+    for (unsigned int node = 0; node < A.n_rows(); ++node)
+      {
+        below.begin.push_back(A.column_begin(node));
+        below.end.push_back(diagonals[node]);
+        above.begin.push_back(diagonals[node] + 1);
+        above.end.push_back(A.column_begin(node + 1));
+      }
+    lower = CycleMatrix(A, below, order);
+    upper = CycleMatrix(A, above, {order.rbegin(), order.rend()});
   }
 
 
@@ -154,8 +169,8 @@ namespace stickslip
                                     std::vector<double> &x) const
   {
     const double      *block  = inverse(node);
-    const unsigned int n      = matrix->height(node);
-    double *const      values = x.data() + matrix->row_begin(node);
+    const unsigned int n      = space.size(node);
+    double *const      values = x.data() + space.begin(node);
     for (unsigned int r = 0; r < n; ++r, block += n)
       {
         double sum = 0.;
@@ -168,46 +183,21 @@ namespace stickslip
 
 
   void
-  BlockGaussSeidel::subtract_lower(const unsigned int         node,
-                                   const std::vector<double> &x,
-                                   double                    *y) const
-  {
-    matrix->subtract_product(
-      node, matrix->column_begin(node), diagonals[node], 0, x, y);
-  }
-
-
-
-  void
-  BlockGaussSeidel::subtract_upper(const unsigned int         node,
-                                   const std::vector<double> &x,
-                                   double                    *y) const
-  {
-    matrix->subtract_product(node,
-                             diagonals[node] + 1,
-                             matrix->column_begin(node + 1),
-                             lower_widths[node] + matrix->height(node),
-                             x,
-                             y);
-  }
-
-
-
-  void
   BlockGaussSeidel::sweep_forwards(std::vector<double>       &x,
                                    const std::vector<double> &b,
-                                   const bool                 from_zero) const
+                                   const double *const        upper_part) const
   {
     std::copy_n(b.begin(), lower_residual.size(), lower_residual.begin());
     const auto relax = [&](const unsigned int first, const unsigned int end) {
       for (unsigned int k = first; k < end; ++k)
         {
-          const unsigned int node = order[k];
-          double *const rest = lower_residual.data() + matrix->row_begin(node);
-          subtract_lower(node, x, rest);
-          std::copy_n(rest, matrix->height(node), defect.begin());
-          if (!from_zero)
-            subtract_upper(node, x, defect.data());
+          const unsigned int node  = order[k];
+          const unsigned int begin = space.begin(node);
+          double *const      rest  = lower_residual.data() + begin;
+          lower.add_product(node, -1., x, rest);
+          for (unsigned int c = 0; c < space.size(node); ++c)
+            defect[c] =
+              upper_part == nullptr ? rest[c] : rest[c] - upper_part[begin + c];
           set_from_defect(node, x);
         }
     };
@@ -226,10 +216,10 @@ namespace stickslip
       for (unsigned int k = end; k-- > first;)
         {
           const unsigned int node = order[k];
-          std::copy_n(lower_residual.begin() + matrix->row_begin(node),
-                      matrix->height(node),
+          std::copy_n(lower_residual.begin() + space.begin(node),
+                      space.size(node),
                       defect.begin());
-          subtract_upper(node, x, defect.data());
+          upper.add_product(node, -1., x, defect.data());
           set_from_defect(node, x);
         }
     };
@@ -246,17 +236,16 @@ namespace stickslip
                           std::vector<double>       &residual,
                           const std::vector<double> &b) const
   {
-    x.assign(matrix->column_space().begin(matrix->column_space().n_local()),
-             0.);
-    sweep_forwards(x, b, true);
+    x.assign(space.begin(space.n_local()), 0.);
+    sweep_forwards(x, b, nullptr);
     sweep_backwards(x);
     exchange.send(x, OrderedExchange::Neighbours::later);
     exchange.receive(x, OrderedExchange::Neighbours::earlier);
     residual.resize(lower_residual.size());
     for (unsigned int i = 0; i < residual.size(); ++i)
       residual[i] = b[i] - lower_residual[i];
-    for (unsigned int node = 0; node < matrix->n_rows(); ++node)
-      subtract_lower(node, x, residual.data() + matrix->row_begin(node));
+    for (const unsigned int node : order)
+      lower.add_product(node, -1., x, residual.data() + space.begin(node));
   }
 
 
@@ -268,19 +257,21 @@ namespace stickslip
     // what the forward sweep sees of the given x
     exchange.send(x, OrderedExchange::Neighbours::earlier);
     exchange.receive(x, OrderedExchange::Neighbours::later);
-    sweep_forwards(x, b, false);
+    // U x before the sweep, which would read U against its order
+    upper_part.assign(lower_residual.size(), 0.);
+    for (auto node = order.rbegin(); node != order.rend(); ++node)
+      upper.add_product(*node, 1., x, upper_part.data() + space.begin(*node));
+    sweep_forwards(x, b, upper_part.data());
     sweep_backwards(x);
   }
 
 
 
   double
-  BlockGaussSeidel::largest_eigenvalue(const BlockMatrix<double> &A) const
+  BlockGaussSeidel::largest_eigenvalue() const
   {
-    const NodeSpace          &space = A.column_space();
-    const unsigned int        n     = space.n_owned_unknowns();
-    std::vector<double>       x(space.begin(space.n_local()), 0.), y(n);
-    const std::vector<double> zero(n, 0.);
+    const unsigned int  n = space.n_owned_unknowns();
+    std::vector<double> x(space.begin(space.n_local()), 0.), y(n);
     // the same on any number of ranks
     const auto first = n > 0 ? space.owned_unknowns().nth_index_in_set(0) : 0;
     for (unsigned int i = 0; i < n; ++i)
@@ -289,12 +280,18 @@ namespace stickslip
     for (unsigned int step = 0; step < n_power_steps; ++step)
       {
         space.update_ghosts(x);
-        A.residual(y, x, zero);
+        std::fill(y.begin(), y.end(), 0.);
+        for (const unsigned int node : order)
+          lower.add_product(node, 1., x, y.data() + space.begin(node));
+        for (auto node = order.rbegin(); node != order.rend(); ++node)
+          {
+            upper.add_product(*node, 1., x, y.data() + space.begin(*node));
+            scale(*node, space.size(*node), y.data() + space.begin(*node));
+          }
         std::vector<double> squares(2, 0.); // before and after
-        for (unsigned int node = 0; node < A.n_rows(); ++node)
-          scale(node, A.height(node), y.data() + A.row_begin(node));
         for (unsigned int i = 0; i < n; ++i)
           {
+            y[i] += x[i];
             squares[0] += x[i] * x[i];
             squares[1] += y[i] * y[i];
           }

@@ -53,14 +53,13 @@ namespace stickslip
               communicator);
             prolongation = read_blocks<float>(*description.prolongation, n, n);
           }
-        hierarchy.reinit(BlockMatrix<double>(
-                           read_square_blocks(matrix, n, added), nodes, nodes),
-                         std::move(prolongation),
-                         linear_nodes,
-                         modes_of(*description.near_null_space,
-                                  description.prolongation
-                                    ? linear_nodes.n_owned_unknowns()
-                                    : nodes.n_owned_unknowns()));
+        hierarchy.reinit(
+          BlockMatrix(read_square_blocks(matrix, n, added), nodes, nodes),
+          std::move(prolongation),
+          linear_nodes,
+          modes_of(*description.near_null_space,
+                   description.prolongation ? linear_nodes.n_owned_unknowns()
+                                            : nodes.n_owned_unknowns()));
       }
     catch (const std::exception &error)
       {

@@ -53,7 +53,7 @@ namespace stickslip
     /// P^T A P with entries still zero, for all local coarse nodes.
     template <typename Number>
     BlockRows<double>
-    galerkin_pattern(const BlockMatrix<double>       &A,
+    galerkin_pattern(const BlockMatrix               &A,
                      const BlockRows<Number>         &P,
                      const std::vector<unsigned int> &columns,
                      const NodeSpace                 &space)
@@ -119,12 +119,12 @@ namespace stickslip
 
 
   BlockRows<float>
-  smoothed_prolongation(const BlockMatrix<double> &A,
-                        const BlockGaussSeidel    &smoother,
-                        const BlockRows<double>   &tentative,
-                        const NodeSpace           &coarse)
+  smoothed_prolongation(const BlockMatrix       &A,
+                        const BlockGaussSeidel  &smoother,
+                        const BlockRows<double> &tentative,
+                        const NodeSpace         &coarse)
   {
-    const double            omega = 4. / 3. / smoother.largest_eigenvalue(A);
+    const double            omega = 4. / 3. / smoother.largest_eigenvalue();
     const BlockRows<double> P0    = local_rows(tentative, A.column_space());
     const NodeSpace         space = seen_space(coarse, P0);
     const std::vector<unsigned int> columns = local_columns(P0, space);
@@ -170,9 +170,9 @@ namespace stickslip
 
   template <typename Number>
   BlockRows<double>
-  galerkin_product(const BlockMatrix<double> &A,
-                   const BlockRows<Number>   &prolongation,
-                   const NodeSpace           &coarse)
+  galerkin_product(const BlockMatrix       &A,
+                   const BlockRows<Number> &prolongation,
+                   const NodeSpace         &coarse)
   {
     const BlockRows<Number> P     = local_rows(prolongation, A.column_space());
     const NodeSpace         space = seen_space(coarse, P);
@@ -211,11 +211,11 @@ namespace stickslip
 
 
   template BlockRows<double>
-  galerkin_product(const BlockMatrix<double> &,
+  galerkin_product(const BlockMatrix &,
                    const BlockRows<float> &,
                    const NodeSpace &);
   template BlockRows<double>
-  galerkin_product(const BlockMatrix<double> &,
+  galerkin_product(const BlockMatrix &,
                    const BlockRows<double> &,
                    const NodeSpace &);
 } // namespace stickslip

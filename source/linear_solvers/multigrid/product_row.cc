@@ -75,7 +75,7 @@ namespace stickslip
 
   template <typename Number>
   void
-  ProductRow::compute(const BlockMatrix<double>       &A,
+  ProductRow::compute(const BlockMatrix               &A,
                       const BlockRows<Number>         &P,
                       const std::vector<unsigned int> &columns,
                       const unsigned int               row)
@@ -120,12 +120,12 @@ namespace stickslip
 
 
   template void
-  ProductRow::compute(const BlockMatrix<double> &,
+  ProductRow::compute(const BlockMatrix &,
                       const BlockRows<float> &,
                       const std::vector<unsigned int> &,
                       const unsigned int);
   template void
-  ProductRow::compute(const BlockMatrix<double> &,
+  ProductRow::compute(const BlockMatrix &,
                       const BlockRows<double> &,
                       const std::vector<unsigned int> &,
                       const unsigned int);

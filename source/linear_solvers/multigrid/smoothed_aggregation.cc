@@ -33,7 +33,7 @@ namespace stickslip
   types::global_dof_index
   SmoothedAggregation::n_unknowns(const unsigned int level) const
   {
-    return levels[level]->matrix.column_space().owned_unknowns().size();
+    return levels[level]->space.owned_unknowns().size();
   }
 
 
@@ -43,7 +43,7 @@ namespace stickslip
   {
     std::size_t bytes = 0;
     for (const auto &level : levels)
-      bytes += level->matrix.memory_consumption() +
+      bytes += level->smoother.memory_consumption() +
                level->prolongation.memory_consumption();
     return bytes;
   }
@@ -51,27 +51,24 @@ namespace stickslip
 
 
   void
-  SmoothedAggregation::add_level(BlockMatrix<double> &A)
+  SmoothedAggregation::add_level(BlockMatrix &A)
   {
     levels.push_back(std::make_unique<Level>());
     levels.back()->smoother.reinit(A);
+    levels.back()->space = A.column_space();
   }
 
 
 
   void
-  SmoothedAggregation::coarsen(BlockMatrix<double> &A,
-                               BlockRows<float>   &&prolongation,
-                               const NodeSpace     &coarse)
+  SmoothedAggregation::coarsen(BlockMatrix       &A,
+                               BlockRows<float> &&prolongation,
+                               const NodeSpace   &coarse)
   {
-    Level              &fine = *levels.back();
-    BlockMatrix<double> next(galerkin_product(A, prolongation, coarse),
-                             coarse,
-                             coarse);
+    Level      &fine = *levels.back();
+    BlockMatrix next(galerkin_product(A, prolongation, coarse), coarse, coarse);
     fine.prolongation =
-      BlockMatrix<float>(std::move(prolongation), A.column_space(), coarse);
-    fine.matrix = BlockMatrix<float>(std::move(A));
-    fine.smoother.use(fine.matrix);
+      Prolongation(std::move(prolongation), A.column_space(), coarse);
     A = std::move(next);
     add_level(A);
   }
@@ -79,10 +76,10 @@ namespace stickslip
 
 
   void
-  SmoothedAggregation::reinit(BlockMatrix<double> &&A,
-                              BlockRows<float>    &&prolongation,
-                              const NodeSpace      &second,
-                              Modes               &&modes)
+  SmoothedAggregation::reinit(BlockMatrix      &&A,
+                              BlockRows<float> &&prolongation,
+                              const NodeSpace   &second,
+                              Modes            &&modes)
   {
     clear();
     const auto n_unknowns = [&A] {
@@ -105,13 +102,12 @@ namespace stickslip
         modes = std::move(tentative.coarse_modes);
       }
     factorise_coarsest(A);
-    levels.back()->matrix = BlockMatrix<float>(std::move(A));
   }
 
 
 
   void
-  SmoothedAggregation::factorise_coarsest(const BlockMatrix<double> &A)
+  SmoothedAggregation::factorise_coarsest(const BlockMatrix &A)
   {
     const NodeSpace                    &space = A.column_space();
     std::vector<RootFactorization::Row> rows;
@@ -148,14 +144,12 @@ namespace stickslip
     const Level &level = *levels[l];
     const Level &next  = *levels[l + 1];
     level.smoother.solve(level.x, level.defect, level.b);
-    level.prolongation.Tvmult(level.coarse, level.defect);
+    level.prolongation.restrict_to_coarse(level.coarse, level.defect);
     next.b.assign(level.coarse.begin(),
-                  level.coarse.begin() +
-                    next.matrix.column_space().n_owned_unknowns());
+                  level.coarse.begin() + next.space.n_owned_unknowns());
     cycle(l + 1);
     std::copy_n(next.x.begin(), next.b.size(), level.coarse.begin());
-    level.prolongation.column_space().update_ghosts(level.coarse);
-    level.prolongation.vmult_add(level.x, level.coarse);
+    level.prolongation.add_to_fine(level.x, level.coarse);
     level.smoother.smooth(level.x, level.b);
   }
 
@@ -165,7 +159,7 @@ namespace stickslip
   SmoothedAggregation::vmult(double *const x, const double *const b) const
   {
     const Level &finest = *levels[0];
-    finest.b.assign(b, b + finest.matrix.column_space().n_owned_unknowns());
+    finest.b.assign(b, b + finest.space.n_owned_unknowns());
     cycle(0);
     std::copy_n(finest.x.begin(), finest.b.size(), x);
   }

@@ -26,7 +26,7 @@ namespace stickslip
    * Mandel, Brezina 1996). What is left makes aggregates of its own.
    */
   Aggregates
-  find_aggregates(const BlockMatrix<double> &matrix);
+  find_aggregates(const BlockMatrix &matrix);
 
 
 

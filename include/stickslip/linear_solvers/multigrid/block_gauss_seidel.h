@@ -1,9 +1,10 @@
 #ifndef stickslip_linear_solvers_multigrid_block_gauss_seidel_h
 #define stickslip_linear_solvers_multigrid_block_gauss_seidel_h
 
-#include <stickslip/linear_solvers/multigrid/block_matrix.h>
+#include <stickslip/linear_solvers/multigrid/cycle_matrix.h>
 #include <stickslip/linear_solvers/multigrid/ordered_exchange.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace stickslip
@@ -18,20 +19,15 @@ namespace stickslip
   class BlockGaussSeidel
   {
   public:
-    /// Inverts the diagonal blocks of @p A; zero pivots (unknowns without
-    /// stiffness) give zero. Sorts the columns of @p A by the order of the
-    /// sweeps.
+    /**
+     * Takes the sweeps from @p A, the columns of which it sorts by their order;
+     * @p A is not needed afterwards. Zero pivots (unknowns without stiffness)
+     * give zero. Triangles are stored by themselves, in single precision, each
+     * as its sweep reads it. (Half-rows of one matrix took three times as
+     * long.) Collective.
+     */
     void
-    reinit(BlockMatrix<double> &A);
-
-    /// Sets the matrix of the sweeps: that of reinit() in single precision,
-    /// which has half its size, and reading it is what a sweep takes. Keeps a
-    /// reference.
-    void
-    use(const BlockMatrix<float> &A)
-    {
-      matrix = &A;
-    }
+    reinit(BlockMatrix &A);
 
     /**
      * One sweep forwards and one backwards from x = 0, and the residual that is
@@ -52,12 +48,10 @@ namespace stickslip
     void
     scale(const unsigned int node, const unsigned int n, double *y) const;
 
-    /**
-     * The largest eigenvalue of D^-1 A, from below, by some steps of the power
-     * method, for the @p A of reinit(). Collective.
-     */
+    /// The largest eigenvalue of D^-1 A, from below, by some steps of the power
+    /// method. Collective.
     double
-    largest_eigenvalue(const BlockMatrix<double> &A) const;
+    largest_eigenvalue() const;
 
     /// The inverse of a diagonal block, by rows.
     const double *
@@ -66,32 +60,44 @@ namespace stickslip
       return inverses.data() + inverse_begins[node];
     }
 
+    /// Bytes of the triangles on this rank.
+    std::size_t
+    memory_consumption() const
+    {
+      return lower.memory_consumption() + upper.memory_consumption();
+    }
+
   private:
-    const BlockMatrix<float> *matrix = nullptr;
+    NodeSpace                 space;
+    CycleMatrix               lower, upper; ///< without the diagonal blocks
     OrderedExchange           exchange;
     std::vector<unsigned int> order;      ///< of the owned nodes
     unsigned int             n_first = 0; ///< nodes beside those of other ranks
     std::vector<std::size_t> inverse_begins;
     std::vector<double>      inverses;
-    std::vector<std::size_t> diagonals;     ///< positions in the columns
-    std::vector<unsigned int> lower_widths; ///< before them in the panels
+    std::vector<std::size_t> diagonals; ///< positions in the columns
 
     mutable std::vector<double> lower_residual; ///< b - L x1
+    mutable std::vector<double> upper_part;     ///< U x
     mutable std::vector<double> defect;         ///< of one node
 
     /// The nodes beside those of other ranks come first.
     void
-    set_order(const BlockMatrix<double> &A);
+    set_order(const BlockMatrix &A);
 
-    /// Lower and upper parts of the rows, and the inverses.
+    /// Finds the diagonal blocks and their inverses.
     void
-    split_rows(const BlockMatrix<double> &A);
+    invert_diagonal(const BlockMatrix &A);
 
-    /// (D + L) x1 = b - U x, which leaves lower_residual.
+    void
+    copy_triangles(const BlockMatrix &A);
+
+    /// (D + L) x1 = b - @p upper_part, which leaves lower_residual. nullptr
+    /// is zero.
     void
     sweep_forwards(std::vector<double>       &x,
                    const std::vector<double> &b,
-                   const bool                 from_zero) const;
+                   const double              *upper_part) const;
 
     /// (D + U) x = lower_residual; later ranks have their turn first.
     void
@@ -100,17 +106,6 @@ namespace stickslip
     /// x = D^-1 defect in one node.
     void
     set_from_defect(const unsigned int node, std::vector<double> &x) const;
-
-    /// y -= L x and y -= U x in one node.
-    void
-    subtract_lower(const unsigned int         node,
-                   const std::vector<double> &x,
-                   double                    *y) const;
-
-    void
-    subtract_upper(const unsigned int         node,
-                   const std::vector<double> &x,
-                   double                    *y) const;
   };
 } // namespace stickslip
 

@@ -10,11 +10,10 @@ namespace stickslip
 {
   /**
    * A distributed matrix of dense blocks, one row of blocks for each owned
-   * node, ready for products. Vectors of columns have the layout of
-   * column_space(), those of rows hold the owned unknowns first (and may be
-   * longer).
+   * node, in double precision: what coarser matrices are made of. Vectors of
+   * columns have the layout of column_space(), those of rows hold the owned
+   * unknowns first (and may be longer).
    */
-  template <typename Number>
   class BlockMatrix
   {
   public:
@@ -25,20 +24,9 @@ namespace stickslip
      * @p row_space says. @p column_space is that of the columns; its ghosts are
      * set here. Collective.
      */
-    BlockMatrix(BlockRows<Number> &&rows,
+    BlockMatrix(BlockRows<double> &&rows,
                 const NodeSpace    &row_space,
                 const NodeSpace    &column_space);
-
-    /// Takes the matrix @p other, whose numbers have another precision.
-    template <typename OtherNumber>
-    explicit BlockMatrix(BlockMatrix<OtherNumber> &&other)
-      : space(std::move(other.space))
-      , row_begins(std::move(other.row_begins))
-      , widths(std::move(other.widths))
-      , gathered(std::move(other.gathered))
-    {
-      rows.take(std::move(other.rows));
-    }
 
     unsigned int
     n_rows() const
@@ -72,7 +60,7 @@ namespace stickslip
       return rows.widths[k];
     }
 
-    const Number *
+    const double *
     panel(const unsigned int row) const
     {
       return rows.panel(row);
@@ -101,54 +89,15 @@ namespace stickslip
     void
     sort_columns(const std::vector<unsigned int> &place);
 
-    /**
-     * y -= A x in one row of blocks, where A has its columns [first, end) only;
-     * @p offset is the width of those before. Ghosts of @p x are up to date;
-     * @p y has the height of the row.
-     */
-    void
-    subtract_product(const unsigned int         row,
-                     const std::size_t          first,
-                     const std::size_t          end,
-                     const unsigned int         offset,
-                     const std::vector<double> &x,
-                     double                    *y) const;
-
-    /// y = b - A x. Ghosts of @p x are up to date.
-    void
-    residual(std::vector<double>       &y,
-             const std::vector<double> &x,
-             const std::vector<double> &b) const;
-
     /// y += A x. Ghosts of @p x are up to date.
     void
     vmult_add(std::vector<double> &y, const std::vector<double> &x) const;
 
-    /// y = A^T x, summed up over the ranks: y gets the layout of
-    /// column_space(). Collective.
-    void
-    Tvmult(std::vector<double> &y, const std::vector<double> &x) const;
-
-    /// Bytes of entries and their numbers on this rank.
-    std::size_t
-    memory_consumption() const;
-
   private:
-    template <typename>
-    friend class BlockMatrix;
-
     NodeSpace                 space; ///< of the columns
     std::vector<unsigned int> row_begins{0};
     std::vector<unsigned int> widths;
-    BlockRows<Number>         rows; ///< with local numbers of columns
-
-    mutable std::vector<double> gathered; ///< what a row sees of a vector
-
-    /// Gathers what columns [first, end) see of @p x; returns how much.
-    unsigned int
-    gather(const std::size_t          first,
-           const std::size_t          end,
-           const std::vector<double> &x) const;
+    BlockRows<double>         rows; ///< with local numbers of columns
   };
 
 
@@ -163,6 +112,34 @@ namespace stickslip
       if (!space.owns(column))
         foreign.push_back(column);
     return foreign;
+  }
+
+
+
+  /// Makes the columns of @p rows local numbers of the space that is returned:
+  /// @p columns with the ghosts they need. Collective.
+  template <typename Number>
+  NodeSpace
+  with_local_columns(BlockRows<Number> &rows, const NodeSpace &columns)
+  {
+    NodeSpace space(columns);
+    space.set_ghosts(foreign_columns(rows, space));
+    for (auto &column : rows.columns)
+      column = space.local(column);
+    return space;
+  }
+
+
+
+  /// First unknowns of the rows, and their end.
+  template <typename Number>
+  std::vector<unsigned int>
+  begins_of_rows(const BlockRows<Number> &rows, const NodeSpace &space)
+  {
+    std::vector<unsigned int> begins;
+    for (unsigned int row = 0; row <= rows.n_rows(); ++row)
+      begins.push_back(space.begin(row));
+    return begins;
   }
 } // namespace stickslip
 

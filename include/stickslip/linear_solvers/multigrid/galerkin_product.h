@@ -12,10 +12,10 @@ namespace stickslip
    * columns. Collective.
    */
   BlockRows<float>
-  smoothed_prolongation(const BlockMatrix<double> &matrix,
-                        const BlockGaussSeidel    &smoother,
-                        const BlockRows<double>   &tentative,
-                        const NodeSpace           &coarse);
+  smoothed_prolongation(const BlockMatrix       &matrix,
+                        const BlockGaussSeidel  &smoother,
+                        const BlockRows<double> &tentative,
+                        const NodeSpace         &coarse);
 
 
 
@@ -24,9 +24,9 @@ namespace stickslip
   /// Collective.
   template <typename Number>
   BlockRows<double>
-  galerkin_product(const BlockMatrix<double> &matrix,
-                   const BlockRows<Number>   &prolongation,
-                   const NodeSpace           &coarse);
+  galerkin_product(const BlockMatrix       &matrix,
+                   const BlockRows<Number> &prolongation,
+                   const NodeSpace         &coarse);
 } // namespace stickslip
 
 #endif

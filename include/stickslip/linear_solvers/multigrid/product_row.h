@@ -111,7 +111,7 @@ namespace stickslip
     /// of @p P, which has the rows of all local columns of A.
     template <typename Number>
     void
-    compute(const BlockMatrix<double>       &A,
+    compute(const BlockMatrix               &A,
             const BlockRows<Number>         &P,
             const std::vector<unsigned int> &columns,
             const unsigned int               row);

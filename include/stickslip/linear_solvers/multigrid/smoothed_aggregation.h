@@ -6,6 +6,7 @@
 #include <stickslip/linear_solvers/factorization/root_factorization.h>
 #include <stickslip/linear_solvers/multigrid/aggregation.h>
 #include <stickslip/linear_solvers/multigrid/block_gauss_seidel.h>
+#include <stickslip/linear_solvers/multigrid/prolongation.h>
 
 #include <cstddef>
 #include <memory>
@@ -32,10 +33,10 @@ namespace stickslip
      * if the coarsest matrix cannot be factorised. Collective.
      */
     void
-    reinit(BlockMatrix<double> &&matrix,
-           BlockRows<float>    &&prolongation,
-           const NodeSpace      &second,
-           Modes               &&modes);
+    reinit(BlockMatrix      &&matrix,
+           BlockRows<float> &&prolongation,
+           const NodeSpace   &second,
+           Modes            &&modes);
 
     void
     clear();
@@ -62,9 +63,9 @@ namespace stickslip
   private:
     struct Level
     {
-      BlockMatrix<float> matrix;
-      BlockGaussSeidel   smoother;
-      BlockMatrix<float> prolongation; ///< from the next level
+      NodeSpace        space;
+      BlockGaussSeidel smoother;
+      Prolongation     prolongation; ///< from the next level
       /// x has ghosts, coarse is for the prolongation
       mutable std::vector<double> x, b, defect, coarse;
     };
@@ -74,17 +75,17 @@ namespace stickslip
 
     /// Adds the coarsest level so far, whose smoother sorts @p A.
     void
-    add_level(BlockMatrix<double> &A);
+    add_level(BlockMatrix &A);
 
     /// Adds the next level to that of @p A, which becomes the matrix of that
     /// level.
     void
-    coarsen(BlockMatrix<double> &A,
-            BlockRows<float>   &&prolongation,
-            const NodeSpace     &coarse);
+    coarsen(BlockMatrix       &A,
+            BlockRows<float> &&prolongation,
+            const NodeSpace   &coarse);
 
     void
-    factorise_coarsest(const BlockMatrix<double> &A);
+    factorise_coarsest(const BlockMatrix &A);
 
     /// x of the level from its b.
     void
