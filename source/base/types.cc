@@ -5,10 +5,22 @@ namespace stickslip
   namespace LA
   {
     void
-    RowAdder::add(const types::global_dof_index               row,
-                  const std::vector<types::global_dof_index> &columns,
-                  const std::vector<double>                  &values,
-                  const double                                weight)
+    RowAdder::set_columns(
+      const std::vector<types::global_dof_index> &new_columns)
+    {
+      columns = new_columns;
+      local_columns.clear();
+      for (const auto column : columns)
+        local_columns.push_back(matrix.trilinos_matrix().LCID(
+          static_cast<TrilinosWrappers::types::int_type>(column)));
+    }
+
+
+
+    void
+    RowAdder::add(const types::global_dof_index row,
+                  const std::vector<double>    &values,
+                  const double                  weight)
     {
       using Index           = TrilinosWrappers::types::int_type;
       const auto &epetra    = matrix.trilinos_matrix();
@@ -29,9 +41,9 @@ namespace stickslip
       AssertThrow(error == 0, ExcMessage("The row is not stored here."));
       for (int k = 0; k < n_entries; ++k)
         positions[stored[k]] = k;
-      for (unsigned int k = 0; k < columns.size(); ++k)
+      for (unsigned int k = 0; k < local_columns.size(); ++k)
         {
-          const int column   = epetra.LCID(static_cast<Index>(columns[k]));
+          const int column   = local_columns[k];
           const int position = column < 0 ? n_entries : positions[column];
           AssertThrow(position < n_entries && stored[position] == column,
                       ExcMessage("The sparsity lacks an entry."));

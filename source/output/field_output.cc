@@ -171,11 +171,13 @@ namespace stickslip
     FieldPatches<dim> data_out;
     data_out.attach_triangulation(dof_handler.get_triangulation());
     // the cell of a tool is not what it looks like (ToolOutput)
+    std::vector<bool> is_tool;
+    for (const auto &body : bodies.bodies)
+      is_tool.push_back(body.parameters.is_tool());
     data_out.set_cell_selection(
-      [this](const typename Triangulation<dim>::cell_iterator &c) {
+      [&](const typename Triangulation<dim>::cell_iterator &c) {
         return c->is_active() && c->is_locally_owned() &&
-               !bodies.bodies[bodies.body_of(c->material_id())]
-                  .parameters.is_tool();
+               !is_tool[bodies.body_of(c->material_id())];
       });
     data_out.add_data_vector(
       dof_handler,

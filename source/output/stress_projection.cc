@@ -6,11 +6,20 @@
 
 #include <deal.II/lac/full_matrix.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
 namespace stickslip
 {
+  double
+  von_mises_stress(const SymmetricTensor<2, 3> &stress)
+  {
+    return std::sqrt(1.5) * deviator(stress).norm();
+  }
+
+
+
   namespace
   {
     /// (int N_i N_j)^-1 int N_j q: nodal values of the projection on one cell.
@@ -57,37 +66,52 @@ namespace stickslip
 
 
 
+    /// Components of stress and strain, in the order of
+    /// StressProjection::names().
+    template <int dim>
+    void
+    get_components(const SymmetricTensor<2, 3> &stress,
+                   const SymmetricTensor<2, 3> &strain,
+                   std::vector<double>         &result)
+    {
+      result.clear();
+      for (const SymmetricTensor<2, 3> *tensor : {&stress, &strain})
+        for (unsigned int i = 0; i < 3; ++i)
+          for (unsigned int j = 0; j < 3; ++j)
+            result.push_back((*tensor)[i][j]);
+      result.push_back(von_mises_stress(stress));
+      if (dim == 2)
+        {
+          result.push_back(stress[2][2]);
+          result.push_back(strain[2][2]);
+        }
+    }
+
+
+
     /// All components of a node: those of stress and strain, then the history.
-    template <int dim, typename Components>
-    std::vector<double>
-    node_components(const FullMatrix<double>                   &projection,
-                    const unsigned int                          node,
-                    const typename MaterialFields<dim>::Values &values,
-                    const Components                           &components)
+    template <int dim>
+    void
+    get_node_components(const FullMatrix<double>                   &projection,
+                        const unsigned int                          node,
+                        const typename MaterialFields<dim>::Values &values,
+                        std::vector<double>                        &result)
     {
       AssertDimension(values.cauchy_stress.size(), projection.n());
       const auto tensor = [&](const std::vector<SymmetricTensor<2, 3>> &list) {
         return apply_row<SymmetricTensor<2, 3>>(
           projection, node, [&](const unsigned int q) { return list[q]; });
       };
-      std::vector<double> result =
-        components(tensor(values.cauchy_stress), tensor(values.strain));
+      get_components<dim>(tensor(values.cauchy_stress),
+                          tensor(values.strain),
+                          result);
       for (unsigned int h = 0; h < values.history[0].size(); ++h)
         result.push_back(
           apply_row<double>(projection, node, [&](const unsigned int q) {
             return values.history[q][h];
           }));
-      return result;
     }
   } // namespace
-
-
-
-  double
-  von_mises_stress(const SymmetricTensor<2, 3> &stress)
-  {
-    return std::sqrt(1.5) * deviator(stress).norm();
-  }
 
 
 
@@ -104,9 +128,8 @@ namespace stickslip
       make_discontinuous_element<dim>(displacement.reference_cell());
     const FiniteElement<dim> &element = *space;
     dof_handler.distribute_dofs(element);
-    fields.assign(names().size(),
-                  Field(dof_handler.locally_owned_dofs(),
-                        dof_handler.get_communicator()));
+    const IndexSet &owned = dof_handler.locally_owned_dofs();
+    fields.assign(names().size(), Field(owned, dof_handler.get_communicator()));
 
     const Quadrature<dim> quadrature =
       cell_quadrature<dim>(displacement.reference_cell(), displacement.degree);
@@ -116,6 +139,7 @@ namespace stickslip
                             update_values | update_JxW_values);
 
     std::vector<types::global_dof_index> dof_indices(element.n_dofs_per_cell());
+    std::vector<double>                  node_values(fields.size());
     for (const auto &cell : displacement_dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {
@@ -131,17 +155,17 @@ namespace stickslip
             &dof_handler)
             ->get_dof_indices(dof_indices);
 
+          std::fill(node_values.begin(), node_values.end(), 0.);
           for (unsigned int node = 0; node < projection.m(); ++node)
             {
-              const std::vector<double> node_values =
-                cell_values.cauchy_stress.empty()
-                  ? std::vector<double>(names().size(), 0.)
-                  : node_components<dim>(projection,
+              if (!cell_values.cauchy_stress.empty())
+                get_node_components<dim>(projection,
                                          node,
                                          cell_values,
-                                         &components);
+                                         node_values);
+              const auto i = owned.index_within_set(dof_indices[node]);
               for (unsigned int c = 0; c < node_values.size(); ++c)
-                fields[c](dof_indices[node]) = node_values[c];
+                fields[c].local_element(i) = node_values[c];
             }
         }
   }
@@ -188,27 +212,6 @@ namespace stickslip
         result.push_back("strain_zz");
       }
     result.insert(result.end(), history_names.begin(), history_names.end());
-    return result;
-  }
-
-
-
-  template <int dim>
-  std::vector<double>
-  StressProjection<dim>::components(const SymmetricTensor<2, 3> &stress,
-                                    const SymmetricTensor<2, 3> &strain)
-  {
-    std::vector<double> result;
-    for (const SymmetricTensor<2, 3> &tensor : {stress, strain})
-      for (unsigned int i = 0; i < 3; ++i)
-        for (unsigned int j = 0; j < 3; ++j)
-          result.push_back(tensor[i][j]);
-    result.push_back(von_mises_stress(stress));
-    if (dim == 2)
-      {
-        result.push_back(stress[2][2]);
-        result.push_back(strain[2][2]);
-      }
     return result;
   }
 

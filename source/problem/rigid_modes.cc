@@ -78,6 +78,7 @@ namespace stickslip
     space.n_vectors = n_modes * n_colours;
     space.values.assign(space.n_vectors * n_owned, 0.);
     std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    std::vector<bool>                    is_done(n_owned, false);
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
         if (!cell->is_locally_owned())
@@ -92,13 +93,16 @@ namespace stickslip
             if (!owned.is_element(dofs[i]) ||
                 constraints.is_constrained(dofs[i]))
               continue;
+            const auto index = owned.index_within_set(dofs[i]);
+            if (is_done[index]) // in another cell
+              continue;
+            is_done[index] = true;
             const Point<dim> position =
               mapping.transform_unit_to_real_cell(cell,
                                                   fe.unit_support_point(i));
             const unsigned int component =
               fe.system_to_component_index(i).first;
-            double *const value =
-              space.values.data() + owned.index_within_set(dofs[i]);
+            double *const value = space.values.data() + index;
             // of bodies of revolution, too: the others are nearly rigid in
             // parts that are small beside their radius
             for (unsigned int m = 0; m < n_modes; ++m)

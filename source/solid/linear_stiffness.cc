@@ -168,34 +168,41 @@ namespace stickslip
     LA::RowAdder                                            adder(matrix);
     std::vector<std::pair<types::global_dof_index, double>> rows, unknowns;
     std::vector<types::global_dof_index>                    columns;
-    std::vector<double>                                     row;
-    for (unsigned int k = 0; k < dofs.size(); ++k)
+    std::vector<std::pair<std::size_t, double>> sources; // of the columns
+    std::vector<double>                         row;
+    for (unsigned int node = 0; node < blocks.n_rows(); ++node)
       {
-        const unsigned int node = k / dim, i = k % dim;
-        if (constraints.is_constrained(dofs[k]))
-          matrix.add(dofs[k],
-                     dofs[k],
-                     values[blocks(node, node) * dim * dim + i * dim + i]);
-        resolve(constraints, dofs[k], rows);
-        if (rows.empty())
-          continue;
         columns.clear();
-        row.clear();
+        sources.clear();
         for (auto entry = blocks.begin(node); entry != blocks.end(node);
              ++entry)
           for (unsigned int c = 0; c < dim; ++c)
             {
-              const double value =
-                values[(entry->global_index() * dim + i) * dim + c];
               resolve(constraints, dofs[entry->column() * dim + c], unknowns);
               for (const auto &[unknown, weight] : unknowns)
                 {
                   columns.push_back(unknown);
-                  row.push_back(weight * value);
+                  sources.emplace_back(entry->global_index() * dim * dim + c,
+                                       weight);
                 }
             }
-        for (const auto &[index, weight] : rows)
-          adder.add(index, columns, row, weight);
+        adder.set_columns(columns);
+        for (unsigned int i = 0; i < dim; ++i)
+          {
+            const auto dof = dofs[node * dim + i];
+            if (constraints.is_constrained(dof))
+              matrix.add(dof,
+                         dof,
+                         values[blocks(node, node) * dim * dim + i * dim + i]);
+            resolve(constraints, dof, rows);
+            if (rows.empty())
+              continue;
+            row.clear();
+            for (const auto &[position, weight] : sources)
+              row.push_back(weight * values[position + i * dim]);
+            for (const auto &[index, weight] : rows)
+              adder.add(index, row, weight);
+          }
       }
   }
 

@@ -122,17 +122,22 @@ namespace stickslip
         , positions(matrix.trilinos_matrix().NumMyCols())
       {}
 
-      /// Row @p row += @p weight times @p values in @p columns, which must be in
-      /// the sparsity; a column may occur several times.
+      /// Sets the columns of the rows that follow; one may occur several times.
       void
-      add(const types::global_dof_index               row,
-          const std::vector<types::global_dof_index> &columns,
-          const std::vector<double>                  &values,
-          const double                                weight);
+      set_columns(const std::vector<types::global_dof_index> &columns);
+
+      /// Row @p row += @p weight times @p values in the columns, which must be
+      /// in the sparsity.
+      void
+      add(const types::global_dof_index row,
+          const std::vector<double>    &values,
+          const double                  weight);
 
     private:
-      SparseMatrix    &matrix;
-      std::vector<int> positions; ///< of local columns in the present row
+      SparseMatrix                        &matrix;
+      std::vector<types::global_dof_index> columns;
+      std::vector<int> local_columns; ///< negative: no row here has it
+      std::vector<int> positions;     ///< of local columns in the present row
     };
   } // namespace LA
 

@@ -55,11 +55,6 @@ namespace stickslip
     names() const;
 
   private:
-    /// Components of stress and strain at one node, in the order of names().
-    static std::vector<double>
-    components(const SymmetricTensor<2, 3> &stress,
-               const SymmetricTensor<2, 3> &strain);
-
     const std::vector<std::string> history_names;
 
     DoFHandler<dim>    dof_handler;
