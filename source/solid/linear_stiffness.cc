@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 
 namespace stickslip
@@ -82,10 +83,12 @@ namespace stickslip
     for (const CellIterator &cell : cells)
       {
         read_nodes(cell);
-        for (const auto node : nodes)
-          pattern.add_entries(node, nodes.begin(), nodes.end());
+        std::sort(nodes.begin(), nodes.end());
+        for (auto node = nodes.begin(); node != nodes.end(); ++node)
+          pattern.add_entries(*node, node, nodes.end(), true);
       }
     blocks.copy_from(pattern);
+    find_mirrored();
     values.assign(blocks.n_nonzero_elements() * dim * dim, 0.);
 
     FullMatrix<double> stiffness(fe.n_dofs_per_cell());
@@ -96,6 +99,8 @@ namespace stickslip
         for (unsigned int a = 0; a < n; ++a)
           for (unsigned int b = 0; b < n; ++b)
             {
+              if (nodes[b] < nodes[a])
+                continue;
               double *const block =
                 values.data() + blocks(nodes[a], nodes[b]) * dim * dim;
               for (unsigned int i = 0; i < dim; ++i)
@@ -109,23 +114,55 @@ namespace stickslip
 
   template <int dim>
   void
+  LinearStiffness<dim>::find_mirrored()
+  {
+    mirrored_begins.assign(blocks.n_rows() + 2, 0);
+    for (unsigned int node = 0; node < blocks.n_rows(); ++node)
+      for (auto entry = blocks.begin(node); entry != blocks.end(node); ++entry)
+        if (entry->column() != node)
+          ++mirrored_begins[entry->column() + 2];
+    std::partial_sum(mirrored_begins.begin(),
+                     mirrored_begins.end(),
+                     mirrored_begins.begin());
+    mirrored.resize(mirrored_begins.back());
+    // filling moves each begin to its end, which is the next one's begin
+    for (unsigned int node = 0; node < blocks.n_rows(); ++node)
+      for (auto entry = blocks.begin(node); entry != blocks.end(node); ++entry)
+        if (entry->column() != node)
+          mirrored[mirrored_begins[entry->column() + 1]++] = {
+            node, static_cast<unsigned int>(entry->global_index())};
+    mirrored_begins.pop_back();
+  }
+
+
+
+  template <int dim>
+  void
   LinearStiffness<dim>::vmult(Vector<double> &y, const Vector<double> &x) const
   {
+    y = 0.;
     for (unsigned int node = 0; node < blocks.n_rows(); ++node)
       {
-        double sum[dim] = {};
+        const double *const x_node   = x.begin() + node * dim;
+        double              sum[dim] = {};
         for (auto entry = blocks.begin(node); entry != blocks.end(node);
              ++entry)
           {
             const double *const block =
               values.data() + entry->global_index() * dim * dim;
-            const double *const x_node = x.begin() + entry->column() * dim;
+            const double *const x_other = x.begin() + entry->column() * dim;
             for (unsigned int i = 0; i < dim; ++i)
               for (unsigned int k = 0; k < dim; ++k)
-                sum[i] += block[i * dim + k] * x_node[k];
+                sum[i] += block[i * dim + k] * x_other[k];
+            if (entry->column() == node)
+              continue;
+            double *const y_other = y.begin() + entry->column() * dim;
+            for (unsigned int i = 0; i < dim; ++i)
+              for (unsigned int k = 0; k < dim; ++k)
+                y_other[k] += block[i * dim + k] * x_node[i];
           }
         for (unsigned int i = 0; i < dim; ++i)
-          y(node * dim + i) = sum[i];
+          y(node * dim + i) += sum[i];
       }
   }
 
@@ -168,24 +205,39 @@ namespace stickslip
     LA::RowAdder                                            adder(matrix);
     std::vector<std::pair<types::global_dof_index, double>> rows, unknowns;
     std::vector<types::global_dof_index>                    columns;
-    std::vector<std::pair<std::size_t, double>> sources; // of the columns
-    std::vector<double>                         row;
+    struct Source // of a column
+    {
+      std::size_t  first;  // in the values
+      unsigned int stride; // from row to row of the block
+      double       weight;
+    };
+    std::vector<Source> sources;
+    std::vector<double> row;
     for (unsigned int node = 0; node < blocks.n_rows(); ++node)
       {
         columns.clear();
         sources.clear();
-        for (auto entry = blocks.begin(node); entry != blocks.end(node);
-             ++entry)
+        const auto add_block = [&](const unsigned int column,
+                                   const std::size_t  block,
+                                   const bool         is_transposed) {
           for (unsigned int c = 0; c < dim; ++c)
             {
-              resolve(constraints, dofs[entry->column() * dim + c], unknowns);
+              resolve(constraints, dofs[column * dim + c], unknowns);
               for (const auto &[unknown, weight] : unknowns)
                 {
                   columns.push_back(unknown);
-                  sources.emplace_back(entry->global_index() * dim * dim + c,
-                                       weight);
+                  sources.push_back(
+                    {block * dim * dim + (is_transposed ? c * dim : c),
+                     is_transposed ? 1U : dim,
+                     weight});
                 }
             }
+        };
+        for (auto k = mirrored_begins[node]; k < mirrored_begins[node + 1]; ++k)
+          add_block(mirrored[k].column, mirrored[k].block, true);
+        for (auto entry = blocks.begin(node); entry != blocks.end(node);
+             ++entry)
+          add_block(entry->column(), entry->global_index(), false);
         adder.set_columns(columns);
         for (unsigned int i = 0; i < dim; ++i)
           {
@@ -198,8 +250,9 @@ namespace stickslip
             if (rows.empty())
               continue;
             row.clear();
-            for (const auto &[position, weight] : sources)
-              row.push_back(weight * values[position + i * dim]);
+            for (const Source &source : sources)
+              row.push_back(source.weight *
+                            values[source.first + i * source.stride]);
             for (const auto &[index, weight] : rows)
               adder.add(index, row, weight);
           }

@@ -16,10 +16,11 @@
 namespace stickslip
 {
   /**
-   * Stiffness of cells that never changes, as one matrix K with blocks of
-   * dim x dim entries for the nodes of the owned cells. Constraints are not in
-   * it: they are applied when forces K u or K itself are added to something
-   * global. Nothing here communicates.
+   * Stiffness of cells that never changes, as one symmetric matrix K with
+   * blocks of dim x dim entries for the nodes of the owned cells, of which the
+   * upper triangle is stored. Constraints are not in it: they are applied when
+   * forces K u or K itself are added to something global. Nothing here
+   * communicates.
    */
   template <int dim>
   class LinearStiffness
@@ -27,7 +28,8 @@ namespace stickslip
   public:
     using CellIterator = typename DoFHandler<dim>::active_cell_iterator;
 
-    /// Writes the stiffness of a cell, in the cell's numbering.
+    /// Writes the stiffness of a cell, which is symmetric, in the cell's
+    /// numbering.
     using CellStiffness =
       std::function<void(const CellIterator &, FullMatrix<double> &)>;
 
@@ -56,14 +58,26 @@ namespace stickslip
                 LA::Vector        &rhs) const;
 
   private:
-    std::vector<types::global_dof_index> dofs;   ///< [node * dim + component]
-    SparsityPattern                      blocks; ///< by node
+    std::vector<types::global_dof_index> dofs; ///< [node * dim + component]
+    SparsityPattern     blocks; ///< by node; columns from the diagonal on
     std::vector<double> values; ///< [block * dim^2 + row * dim + column]
+
+    /// A block left of the diagonal: the transpose of a stored one.
+    struct Mirrored
+    {
+      unsigned int column, block;
+    };
+    std::vector<std::size_t> mirrored_begins; ///< by node
+    std::vector<Mirrored>    mirrored;
 
     /// @p local are the degrees of freedom of the nodes of a cell.
     void
     number_nodes(const std::vector<std::array<unsigned int, dim>> &local,
                  const std::vector<CellIterator>                  &cells);
+
+    /// Finds the blocks left of the diagonal.
+    void
+    find_mirrored();
 
     void
     vmult(Vector<double> &y, const Vector<double> &x) const;
