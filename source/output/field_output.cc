@@ -11,7 +11,9 @@
 #include <deal.II/numerics/data_out.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -54,17 +56,56 @@ namespace stickslip
 
 
 
+    /// Cells whose patches are in memory at the same time, about 3 kB each.
+    constexpr unsigned int cells_of_piece = 8192;
+
+
+
     /// Knows by the names of the components which of them are a tensor: deal.II
-    /// thinks that a tensor has dim x dim of them.
+    /// thinks that a tensor has dim x dim of them. Can have patches of a part
+    /// of the cells.
     template <int dim>
     class FieldPatches : public DataOut<dim>
     {
     public:
+      using CellIterator = typename Triangulation<dim>::cell_iterator;
+
       /// After build_patches() with 2 subdivisions.
       void
       cut_quadratic_simplices()
       {
         cut_into_linear_simplices(this->patches);
+      }
+
+      /// The next build_patches() is for these cells.
+      void
+      select(const std::vector<CellIterator> &cells,
+             const std::size_t                begin,
+             const std::size_t                end)
+      {
+        // deal.II asks for the cells one after the other, more than once
+        this->set_cell_selection(
+          [&cells, begin, end](const Triangulation<dim> &triangulation) {
+            return begin < end ? cells[begin] : triangulation.end();
+          },
+          [&cells, begin, end, last = begin](
+            const Triangulation<dim> &triangulation,
+            const CellIterator       &cell) mutable {
+            if (last >= end || cells[last] != cell)
+              last = begin; // again
+            ++last;
+            return last < end ? cells[last] : triangulation.end();
+          });
+      }
+
+      void
+      write_piece(const DataOutBase::VtkFlags &flags, std::ostream &out) const
+      {
+        DataOutBase::write_vtu_main(this->get_patches(),
+                                    this->get_dataset_names(),
+                                    this->get_nonscalar_data_ranges(),
+                                    flags,
+                                    out);
       }
 
     protected:
@@ -128,6 +169,27 @@ namespace stickslip
       ghosted = positions;
       return ghosted;
     }
+
+
+
+    /// From the reference cells to the deformed ones. Collective.
+    template <int dim>
+    std::unique_ptr<Mapping<dim>>
+    mapping_of_deformed(const Mapping<dim>    &mapping,
+                        const DoFHandler<dim> &dof_handler,
+                        const LA::Vector      &displacement,
+                        LA::Vector            &positions)
+    {
+      if (dof_handler.get_fe().reference_cell().is_simplex() ||
+          dof_handler.get_triangulation().has_hanging_nodes())
+        {
+          positions = nodal_positions(mapping, dof_handler, displacement);
+          return std::make_unique<MappingFEField<dim, dim, LA::Vector>>(
+            dof_handler, positions);
+        }
+      return std::make_unique<MappingQEulerian<dim, LA::Vector>>(
+        dof_handler.get_fe().degree, dof_handler, displacement);
+    }
   } // namespace
 
 
@@ -137,7 +199,7 @@ namespace stickslip
                                 const Bodies           &bodies,
                                 const MPI_Comm          communicator)
     : deformed(parameters.deformed)
-    , higher_order_cells(parameters.format == FieldFormat::vtu)
+    , is_vtu(parameters.format == FieldFormat::vtu)
     , bodies(bodies)
     , series(parameters, "solution", communicator)
   {}
@@ -170,15 +232,7 @@ namespace stickslip
 
     FieldPatches<dim> data_out;
     data_out.attach_triangulation(dof_handler.get_triangulation());
-    // the cell of a tool is not what it looks like (ToolOutput)
-    std::vector<bool> is_tool;
-    for (const auto &body : bodies.bodies)
-      is_tool.push_back(body.parameters.is_tool());
-    data_out.set_cell_selection(
-      [&](const typename Triangulation<dim>::cell_iterator &c) {
-        return c->is_active() && c->is_locally_owned() &&
-               !is_tool[bodies.body_of(c->material_id())];
-      });
+    const auto cells = cells_to_write(dof_handler.get_triangulation());
     data_out.add_data_vector(
       dof_handler,
       displacement,
@@ -204,35 +258,58 @@ namespace stickslip
     DataOutBase::VtkFlags flags;
     flags.compression_level   = decltype(flags.compression_level)::best_speed;
     flags.print_date_and_time = false;
-    flags.write_higher_order_cells =
-      higher_order_cells && degree > 1 && !cell.is_simplex();
+    flags.write_higher_order_cells = is_vtu && degree > 1 && !cell.is_simplex();
     data_out.set_flags(flags);
 
-    constexpr auto curved = DataOut<dim>::curved_inner_cells;
-    if (!deformed)
-      data_out.build_patches(mapping, degree, curved);
-    else if (cell.is_simplex() ||
-             dof_handler.get_triangulation().has_hanging_nodes())
-      {
-        const LA::Vector positions =
-          nodal_positions(mapping, dof_handler, displacement);
-        data_out.build_patches(MappingFEField<dim, dim, LA::Vector>(dof_handler,
-                                                                    positions),
-                               degree,
-                               curved);
-      }
-    else
-      data_out.build_patches(MappingQEulerian<dim, LA::Vector>(degree,
-                                                               dof_handler,
-                                                               displacement),
+    LA::Vector                          positions; // of the deformed nodes
+    const std::unique_ptr<Mapping<dim>> deformed_mapping =
+      deformed
+        ? mapping_of_deformed(mapping, dof_handler, displacement, positions)
+        : nullptr;
+    const auto build = [&](const std::size_t begin, const std::size_t end) {
+      data_out.select(cells, begin, end);
+      data_out.build_patches(deformed ? *deformed_mapping : mapping,
                              degree,
-                             curved);
-    if (cell.is_simplex() && degree > 1)
-      data_out.cut_quadratic_simplices();
+                             DataOut<dim>::curved_inner_cells);
+      if (cell.is_simplex() && degree > 1)
+        data_out.cut_quadratic_simplices();
+    };
+    const bool is_curved = dim == 3 && flags.write_higher_order_cells;
+    if (is_vtu && !is_curved)
+      {
+        const std::size_t n = cells.size();
+        const VtuPieces   pieces{
+          std::max<unsigned int>(1, (n + cells_of_piece - 1) / cells_of_piece),
+          [&](const unsigned int k, std::ostream &out) {
+            build(std::size_t(k) * cells_of_piece,
+                  std::min(n, (std::size_t(k) + 1) * cells_of_piece));
+            data_out.write_piece(flags, out);
+          }};
+        series.write(data_out, pieces, flags, step, time);
+        return;
+      }
+    build(0, cells.size());
     data_out.clear_input_data_references(); // the patches have the values
+    series.write(data_out, step, time, cell, is_curved);
+  }
 
-    series.write(
-      data_out, step, time, cell, dim == 3 && flags.write_higher_order_cells);
+
+
+  template <int dim>
+  std::vector<typename Triangulation<dim>::cell_iterator>
+  FieldOutput<dim>::cells_to_write(
+    const Triangulation<dim> &triangulation) const
+  {
+    // the cell of a tool is not what it looks like (ToolOutput)
+    std::vector<bool> is_tool;
+    for (const auto &body : bodies.bodies)
+      is_tool.push_back(body.parameters.is_tool());
+    std::vector<typename Triangulation<dim>::cell_iterator> cells;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned() &&
+          !is_tool[bodies.body_of(cell->material_id())])
+        cells.push_back(cell);
+    return cells;
   }
 
 

@@ -138,28 +138,74 @@ namespace stickslip
                       const ReferenceCell                   &cell,
                       const bool has_lagrange_hexahedra)
   {
-    const std::string step_name =
-      name + "-" + Utilities::int_to_string(step, 4);
-
-    Entry       entry{time, ""};
-    std::string error;
+    const std::string step_name = name_of_step(step);
+    std::string       text, error;
     if (is_hdf5)
-      write_hdf5(data, step_name, time, cell, entry.text);
+      write_hdf5(data, step_name, time, cell, text);
     else
       {
-        error = write_vtu(data,
-                          step_name,
-                          has_lagrange_hexahedra ? n_ranks : n_grouped_files);
-        std::ostringstream data_set;
-        data_set << "<DataSet timestep=\"" << std::setprecision(15) << time
-                 << "\" group=\"\" part=\"0\" file=\"" << step_name
-                 << ".pvtu\"/>";
-        entry.text = data_set.str();
+        error = write_vtu(
+          data,
+          [&](const std::string &file, const MPI_Comm group) {
+            return write_vtu_file(data, file, group);
+          },
+          step_name,
+          has_lagrange_hexahedra ? n_ranks : n_grouped_files);
+        text = vtu_entry(step_name, time);
       }
+    add_entry(time, text, error);
+  }
 
+
+
+  template <int dim, int spacedim>
+  void
+  OutputSeries::write(const DataOutInterface<dim, spacedim> &data,
+                      const VtuPieces                       &pieces,
+                      const DataOutBase::VtkFlags           &flags,
+                      const unsigned int                     step,
+                      const double                           time)
+  {
+    const std::string step_name = name_of_step(step);
+    const std::string error     = write_vtu(
+      data,
+      [&](const std::string &file, const MPI_Comm group) {
+        return write_vtu_pieces(pieces, flags, file, group);
+      },
+      step_name,
+      n_grouped_files);
+    add_entry(time, vtu_entry(step_name, time), error);
+  }
+
+
+
+  std::string
+  OutputSeries::name_of_step(const unsigned int step) const
+  {
+    return name + "-" + Utilities::int_to_string(step, 4);
+  }
+
+
+
+  std::string
+  OutputSeries::vtu_entry(const std::string &step_name, const double time) const
+  {
+    std::ostringstream data_set;
+    data_set << "<DataSet timestep=\"" << std::setprecision(15) << time
+             << "\" group=\"\" part=\"0\" file=\"" << step_name << ".pvtu\"/>";
+    return data_set.str();
+  }
+
+
+
+  void
+  OutputSeries::add_entry(const double       time,
+                          const std::string &text,
+                          std::string        error)
+  {
     if (error.empty() && Utilities::MPI::this_mpi_process(communicator) == 0)
       {
-        entries.push_back(entry);
+        entries.push_back({time, text});
         error = write_file_atomically(path_of_index(), index_text());
       }
     throw_collectively(error, communicator);
@@ -170,6 +216,7 @@ namespace stickslip
   template <int dim, int spacedim>
   std::string
   OutputSeries::write_vtu(const DataOutInterface<dim, spacedim> &data,
+                          const FileWriter                      &write_file,
                           const std::string                     &step_name,
                           const unsigned int                     n_files) const
   {
@@ -187,7 +234,7 @@ namespace stickslip
                                     static_cast<int>(rank),
                                     &group_communicator);
     AssertThrowMPI(ierr);
-    const std::string reason = write_vtu_file(data, piece, group_communicator);
+    const std::string reason = write_file(piece, group_communicator);
     MPI_Comm_free(&group_communicator);
     throw_collectively(reason.empty()
                          ? ""
@@ -316,4 +363,16 @@ namespace stickslip
                       const double,
                       const ReferenceCell &,
                       const bool);
+  template void
+  OutputSeries::write(const DataOutInterface<2, 2> &,
+                      const VtuPieces &,
+                      const DataOutBase::VtkFlags &,
+                      const unsigned int,
+                      const double);
+  template void
+  OutputSeries::write(const DataOutInterface<3, 3> &,
+                      const VtuPieces &,
+                      const DataOutBase::VtkFlags &,
+                      const unsigned int,
+                      const double);
 } // namespace stickslip

@@ -4,10 +4,14 @@
 
 #include <hdf5.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -61,6 +65,116 @@ namespace stickslip
 
 
 
+    /// What went wrong on any rank, in words. Collective.
+    std::string
+    reason_of_mpi(const int error, const MPI_Comm communicator)
+    {
+      const int worst = Utilities::MPI::max(error, communicator);
+      if (worst == MPI_SUCCESS)
+        return "";
+      std::array<char, MPI_MAX_ERROR_STRING> text;
+      int                                    length = 0;
+      MPI_Error_string(worst, text.data(), &length);
+      return std::string(text.data(), length);
+    }
+
+
+
+    /// Writes the texts of all ranks, one after the other, at @p position,
+    /// which it moves behind them. Returns MPI's error code. Collective.
+    int
+    append(const std::string &text,
+           const MPI_File     file,
+           const MPI_Comm     communicator,
+           std::uint64_t     &position)
+    {
+      const std::uint64_t length = text.size();
+      std::uint64_t       before = 0;
+      const int           ierr =
+        MPI_Exscan(&length, &before, 1, MPI_UINT64_T, MPI_SUM, communicator);
+      AssertThrowMPI(ierr);
+      if (is_root(communicator))
+        before = 0; // is not set by MPI
+      const int error =
+        MPI_File_write_at_all(file,
+                              static_cast<MPI_Offset>(position + before),
+                              text.data(),
+                              static_cast<int>(length),
+                              MPI_CHAR,
+                              MPI_STATUS_IGNORE);
+      position += Utilities::MPI::sum(length, communicator);
+      return error;
+    }
+
+
+
+    /// Of a rank by itself.
+    std::string
+    write_pieces(const VtuPieces             &pieces,
+                 const DataOutBase::VtkFlags &flags,
+                 const std::string           &name)
+    {
+      errno = 0;
+      try
+        {
+          std::ofstream file(name);
+          DataOutBase::write_vtu_header(file, flags);
+          for (unsigned int k = 0; k < pieces.n; ++k)
+            pieces.write(k, file);
+          DataOutBase::write_vtu_footer(file);
+          file.close();
+          AssertThrow(file, ExcIO());
+        }
+      catch (const StandardExceptions::ExcIO &)
+        {
+          return std::strerror(errno);
+        }
+      return "";
+    }
+
+
+
+    /// Of several ranks: in each round a piece of each. Collective.
+    std::string
+    write_pieces_of_all(const VtuPieces             &pieces,
+                        const DataOutBase::VtkFlags &flags,
+                        const std::string           &name,
+                        const MPI_Comm               communicator)
+    {
+      std::string reason = open_once(name, communicator);
+      if (!reason.empty())
+        return reason;
+      MPI_File file;
+      reason = reason_of_mpi(MPI_File_open(communicator,
+                                           name.c_str(),
+                                           MPI_MODE_WRONLY,
+                                           MPI_INFO_NULL,
+                                           &file),
+                             communicator);
+      if (!reason.empty())
+        return reason;
+      const unsigned int n_rounds = Utilities::MPI::max(pieces.n, communicator);
+      std::uint64_t      position = 0;
+      int                error    = MPI_SUCCESS;
+      // The first round is the header, the last one the footer.
+      for (unsigned int round = 0; round < n_rounds + 2; ++round)
+        {
+          std::ostringstream text;
+          if (round == 0 && is_root(communicator))
+            DataOutBase::write_vtu_header(text, flags);
+          else if (round == n_rounds + 1 && is_root(communicator))
+            DataOutBase::write_vtu_footer(text);
+          else if (round > 0 && round <= pieces.n)
+            pieces.write(round - 1, text);
+          error =
+            std::max(error, append(text.str(), file, communicator, position));
+        }
+      error = std::max(error, MPI_File_close(&file));
+      return reason_of_mpi(error, communicator);
+    }
+
+
+
     /// The innermost entry of HDF5's error stack: what went wrong first.
     std::string
     reason_of_hdf5()
@@ -110,6 +224,22 @@ namespace stickslip
         return std::strerror(errno);
       }
     return give_name(name, communicator);
+  }
+
+
+
+  std::string
+  write_vtu_pieces(const VtuPieces             &pieces,
+                   const DataOutBase::VtkFlags &flags,
+                   const std::string           &name,
+                   const MPI_Comm               communicator)
+  {
+    const std::string part = temporary_name(name);
+    const std::string reason =
+      Utilities::MPI::n_mpi_processes(communicator) == 1
+        ? write_pieces(pieces, flags, part)
+        : write_pieces_of_all(pieces, flags, part, communicator);
+    return reason.empty() ? give_name(name, communicator) : reason;
   }
 
 

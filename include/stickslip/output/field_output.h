@@ -65,10 +65,14 @@ namespace stickslip
 
   private:
     const bool    deformed;
-    const bool    higher_order_cells;
+    const bool    is_vtu;
     const Bodies &bodies;
 
     OutputSeries series;
+
+    /// The owned cells of deformable bodies and rigid ones with a mesh.
+    std::vector<typename Triangulation<dim>::cell_iterator>
+    cells_to_write(const Triangulation<dim> &triangulation) const;
   };
 } // namespace stickslip
 

@@ -2,10 +2,12 @@
 #define stickslip_output_output_series_h
 
 #include <stickslip/output/output_parameters.h>
+#include <stickslip/output/parallel_files.h>
 
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/mpi.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -53,6 +55,19 @@ namespace stickslip
           const ReferenceCell &cell = ReferenceCells::get_hypercube<dim>(),
           const bool           has_lagrange_hexahedra = false);
 
+    /**
+     * The same as VTU files, from @p pieces that are made one after the other,
+     * so that there is never more than one in memory. @p data has the names of
+     * the fields; it needs no patches. Collective.
+     */
+    template <int dim, int spacedim>
+    void
+    write(const DataOutInterface<dim, spacedim> &data,
+          const VtuPieces                       &pieces,
+          const DataOutBase::VtkFlags           &flags,
+          const unsigned int                     step,
+          const double                           time);
+
   private:
     /// What the index file says about one step.
     struct Entry
@@ -61,13 +76,32 @@ namespace stickslip
       std::string text;
     };
 
-    /// Throws UserError on all ranks if a piece cannot be written. Returns what
-    /// went wrong with the record of the pieces, on rank 0.
+    /// Writes a file NAME for the ranks of a communicator, collectively, and
+    /// returns what went wrong.
+    using FileWriter =
+      std::function<std::string(const std::string &, const MPI_Comm)>;
+
+    /// Throws UserError on all ranks if a file of @p write_file cannot be
+    /// written. Returns what went wrong with the record of the files, on rank
+    /// 0.
     template <int dim, int spacedim>
     std::string
     write_vtu(const DataOutInterface<dim, spacedim> &data,
+              const FileWriter                      &write_file,
               const std::string                     &step_name,
               const unsigned int                     n_files) const;
+
+    /// The entry of a step of VTU files.
+    std::string
+    vtu_entry(const std::string &step_name, const double time) const;
+
+    std::string
+    name_of_step(const unsigned int step) const;
+
+    /// Adds an entry to the index, unless there is an @p error of rank 0,
+    /// which is thrown on all ranks. Collective.
+    void
+    add_entry(const double time, const std::string &text, std::string error);
 
     /// Throws UserError on all ranks if the file cannot be written; if it fails
     /// in the middle on several ranks, an exception that ends them all.

@@ -4,6 +4,8 @@
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/mpi.h>
 
+#include <functional>
+#include <ostream>
 #include <string>
 
 namespace stickslip
@@ -12,7 +14,7 @@ namespace stickslip
 
   /*
    * Files that all ranks of a communicator write together. They have a
-   * temporary name (NAME.part) until they are complete. Both functions return
+   * temporary name (NAME.part) until they are complete. All functions return
    * an empty string, or why the file cannot be written.
    */
 
@@ -22,6 +24,22 @@ namespace stickslip
   write_vtu_file(const DataOutInterface<dim, spacedim> &data,
                  const std::string                     &name,
                  const MPI_Comm                         communicator);
+
+  /// Parts of what a rank writes into a VTU file, made one after the other.
+  struct VtuPieces
+  {
+    unsigned int n = 0;
+    /// Writes the k-th one, an element <Piece>.
+    std::function<void(const unsigned int, std::ostream &)> write;
+  };
+
+  /// One VTU file of the pieces of all ranks of @p communicator, of which each
+  /// keeps one at a time. Collective.
+  std::string
+  write_vtu_pieces(const VtuPieces             &pieces,
+                   const DataOutBase::VtkFlags &flags,
+                   const std::string           &name,
+                   const MPI_Comm               communicator);
 
   /**
    * One HDF5 file of the data of all ranks of @p communicator, which must have
