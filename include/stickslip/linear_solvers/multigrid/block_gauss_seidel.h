@@ -23,7 +23,7 @@ namespace stickslip
      * Takes the sweeps from @p A, the columns of which it sorts by their order;
      * @p A is not needed afterwards. Zero pivots (unknowns without stiffness)
      * give zero. Triangles are stored by themselves, in single precision, each
-     * as its sweep reads it. (Half-rows of one matrix took three times as
+     * as its sweep reads it. (Half-rows of one matrix took twice as
      * long.) Collective.
      */
     void
