@@ -56,11 +56,6 @@ namespace stickslip
 
 
 
-    /// Cells whose patches are in memory at the same time, about 3 kB each.
-    constexpr unsigned int cells_of_piece = 8192;
-
-
-
     /// Knows by the names of the components which of them are a tensor: deal.II
     /// thinks that a tensor has dim x dim of them. Can have patches of a part
     /// of the cells.
@@ -197,8 +192,10 @@ namespace stickslip
   template <int dim>
   FieldOutput<dim>::FieldOutput(const OutputParameters &parameters,
                                 const Bodies           &bodies,
-                                const MPI_Comm          communicator)
-    : deformed(parameters.deformed)
+                                const MPI_Comm          communicator,
+                                const unsigned int      cells_of_piece)
+    : cells_of_piece(cells_of_piece)
+    , deformed(parameters.deformed)
     , is_vtu(parameters.format == FieldFormat::vtu)
     , bodies(bodies)
     , series(parameters, "solution", communicator)
@@ -279,9 +276,9 @@ namespace stickslip
       {
         const std::size_t n = cells.size();
         const VtuPieces   pieces{
-          std::max<unsigned int>(1, (n + cells_of_piece - 1) / cells_of_piece),
+          static_cast<unsigned int>((n + cells_of_piece - 1) / cells_of_piece),
           [&](const unsigned int k, std::ostream &out) {
-            build(std::size_t(k) * cells_of_piece,
+            build(std::min(n, std::size_t(k) * cells_of_piece),
                   std::min(n, (std::size_t(k) + 1) * cells_of_piece));
             data_out.write_piece(flags, out);
           }};

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
@@ -89,8 +90,10 @@ namespace stickslip
            std::uint64_t     &position)
     {
       const std::uint64_t length = text.size();
-      std::uint64_t       before = 0;
-      const int           ierr =
+      AssertThrow(length <= std::numeric_limits<int>::max(),
+                  ExcMessage("A piece of a file has more than 2 GB."));
+      std::uint64_t before = 0;
+      const int     ierr =
         MPI_Exscan(&length, &before, 1, MPI_UINT64_T, MPI_SUM, communicator);
       AssertThrowMPI(ierr);
       if (is_root(communicator))
@@ -119,7 +122,7 @@ namespace stickslip
         {
           std::ofstream file(name);
           DataOutBase::write_vtu_header(file, flags);
-          for (unsigned int k = 0; k < pieces.n; ++k)
+          for (unsigned int k = 0; k < std::max(1U, pieces.n); ++k)
             pieces.write(k, file);
           DataOutBase::write_vtu_footer(file);
           file.close();
@@ -153,7 +156,11 @@ namespace stickslip
                              communicator);
       if (!reason.empty())
         return reason;
-      const unsigned int n_rounds = Utilities::MPI::max(pieces.n, communicator);
+      // ParaView does not take empty pieces before others
+      const unsigned int n_most = Utilities::MPI::max(pieces.n, communicator);
+      const unsigned int n_own =
+        n_most == 0 && is_root(communicator) ? 1 : pieces.n;
+      const unsigned int n_rounds = std::max(1U, n_most);
       std::uint64_t      position = 0;
       int                error    = MPI_SUCCESS;
       // The first round is the header, the last one the footer.
@@ -164,11 +171,13 @@ namespace stickslip
             DataOutBase::write_vtu_header(text, flags);
           else if (round == n_rounds + 1 && is_root(communicator))
             DataOutBase::write_vtu_footer(text);
-          else if (round > 0 && round <= pieces.n)
+          else if (round > 0 && round <= n_own)
             pieces.write(round - 1, text);
           error =
             std::max(error, append(text.str(), file, communicator, position));
         }
+      // without it the end is missing at times on several nodes
+      error = std::max(error, MPI_File_sync(file));
       error = std::max(error, MPI_File_close(&file));
       return reason_of_mpi(error, communicator);
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -21,6 +22,22 @@ namespace stickslip
         unknowns.assign(1, {dof, 1.});
       else
         unknowns = *constraints.get_constraint_entries(dof);
+    }
+
+
+
+    bool
+    is_symmetric(const FullMatrix<double> &matrix)
+    {
+      double largest = 0., difference = 0.;
+      for (unsigned int i = 0; i < matrix.m(); ++i)
+        for (unsigned int j = 0; j <= i; ++j)
+          {
+            largest = std::max(largest, std::abs(matrix(i, j)));
+            difference =
+              std::max(difference, std::abs(matrix(i, j) - matrix(j, i)));
+          }
+      return difference <= 1e-10 * largest;
     }
   } // namespace
 
@@ -95,6 +112,9 @@ namespace stickslip
     for (const CellIterator &cell : cells)
       {
         stiffness_of(cell, stiffness);
+        AssertThrow(is_symmetric(stiffness),
+                    ExcMessage("A law that says that it is linear has an "
+                               "unsymmetric tangent."));
         read_nodes(cell);
         for (unsigned int a = 0; a < n; ++a)
           for (unsigned int b = 0; b < n; ++b)

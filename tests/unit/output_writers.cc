@@ -43,6 +43,7 @@
 #include <iostream>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -344,7 +345,10 @@ namespace
           parameters.format        = value;
           parameters.deformed      = deformed;
           parameters.grouped_files = deformed ? 2 : 1;
-          FieldOutput<dim> output(parameters, bodies, MPI_COMM_WORLD);
+          FieldOutput<dim> output(parameters,
+                                  bodies,
+                                  MPI_COMM_WORLD,
+                                  /*cells_of_piece=*/3);
           output.write(dim, 0.1, mapping, dof_handler, displacement, fields);
           output.write(
             dim + 2, 0.2, mapping, dof_handler, displacement, fields);
@@ -357,6 +361,32 @@ namespace
         }
     if (out.is_active())
       {
+        const auto pieces_of_step = [&](const unsigned int step) {
+          std::vector<unsigned int> cells;
+          for (const char *group : {".0.vtu", ".1.vtu"})
+            {
+              const std::string name = directory + "/solution-" +
+                                       Utilities::int_to_string(step, 4) +
+                                       group;
+              const std::string key = "NumberOfCells=\"";
+              if (!std::filesystem::exists(name))
+                continue;
+              const std::string text = content_of(name);
+              for (auto i = text.find(key); i != std::string::npos;
+                   i      = text.find(key, i + 1))
+                cells.push_back(std::stoul(text.substr(i + key.size())));
+            }
+          return cells;
+        };
+        const auto small = pieces_of_step(dim), large = pieces_of_step(dim + 4);
+        out << "  pieces of at most 3 cells have all of them: "
+            << (*std::max_element(small.begin(), small.end()) <= 3 &&
+                    std::accumulate(small.begin(), small.end(), 0U) ==
+                      std::accumulate(large.begin(), large.end(), 0U)
+                  ? "yes"
+                  : "no")
+            << std::endl;
+
         const std::string xdmf    = content_of(directory + "/solution.xdmf");
         unsigned int      n_grids = 0;
         for (std::size_t i = xdmf.find("<Grid Name=\"mesh\"");

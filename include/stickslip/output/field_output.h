@@ -42,9 +42,13 @@ namespace stickslip
   class FieldOutput
   {
   public:
+    /// VTU files have pieces of at most @p cells_of_piece cells: their patches
+    /// take 3 kB each (those of quadratic tetrahedra three times as much), and
+    /// are in memory at the same time.
     FieldOutput(const OutputParameters &parameters,
                 const Bodies           &bodies,
-                const MPI_Comm          communicator);
+                const MPI_Comm          communicator,
+                const unsigned int      cells_of_piece = 8192);
 
     /// Continues the series of an earlier run after @p time. Collective.
     void
@@ -64,9 +68,10 @@ namespace stickslip
           const NamedCellValues     &of_cells = {});
 
   private:
-    const bool    deformed;
-    const bool    is_vtu;
-    const Bodies &bodies;
+    const unsigned int cells_of_piece;
+    const bool         deformed;
+    const bool         is_vtu;
+    const Bodies      &bodies;
 
     OutputSeries series;
 

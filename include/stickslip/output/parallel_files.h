@@ -29,7 +29,8 @@ namespace stickslip
   struct VtuPieces
   {
     unsigned int n = 0;
-    /// Writes the k-th one, an element <Piece>.
+    /// Writes the k-th one, an element 'Piece'. If no rank has any, the first
+    /// one writes piece 0, an empty one.
     std::function<void(const unsigned int, std::ostream &)> write;
   };
 

@@ -123,8 +123,8 @@ namespace stickslip
       return false;
     }
 
-    /// True if P is a linear function of F - I and of nothing else: dP_dF is
-    /// then the same in all states.
+    /// True if P is a linear function of F - I and of nothing else, with a
+    /// stored energy: dP_dF is then symmetric and the same in all states.
     virtual bool
     is_linear() const
     {

@@ -289,7 +289,7 @@ namespace stickslip
             point.scales.stiffness * slave.face.diameter;
           const double friction_stress =
             friction_scale * point.regularization.r_t_law;
-          const double roundoff =
+          const double roundoff = // of gaps and slips
             state.status.closed
               ? roundoff_of_place * pair->slave_position(point).x.norm()
               : 0.;
@@ -302,7 +302,9 @@ namespace stickslip
                   area * (c == 0 ? slave.face.diameter : friction_scale);
                 sizes.force(dof) +=
                   area * (c == 0 ? normal_stress : friction_stress);
-                sizes.roundoff(dof) += area * roundoff;
+                // rows of friction are slips times the threshold
+                sizes.roundoff(dof) +=
+                  area * roundoff * (c == 0 ? 1. : state.response.threshold);
               }
         }
   }

@@ -153,7 +153,7 @@ namespace stickslip
                           double            *y) const
   {
     const double *const block = inverse(node);
-    defect.assign(y, y + n);
+    std::copy_n(y, n, defect.begin());
     for (unsigned int r = 0; r < n; ++r)
       {
         y[r] = 0.;
@@ -291,7 +291,7 @@ namespace stickslip
         std::vector<double> squares(2, 0.); // before and after
         for (unsigned int i = 0; i < n; ++i)
           {
-            y[i] += x[i];
+            y[i] += x[i]; // D^-1 D (of zero pivots it is 0, below the largest)
             squares[0] += x[i] * x[i];
             squares[1] += y[i] * y[i];
           }

@@ -86,19 +86,6 @@ namespace stickslip
       value_begins.push_back(values.size());
     }
 
-    /// Takes the rows of @p other, whose numbers have another precision.
-    template <typename OtherNumber>
-    void
-    take(BlockRows<OtherNumber> &&other)
-    {
-      column_begins = std::move(other.column_begins);
-      value_begins  = std::move(other.value_begins);
-      columns       = std::move(other.columns);
-      widths        = std::move(other.widths);
-      values.assign(other.values.begin(), other.values.end());
-      other = {};
-    }
-
     /// For messages.
     template <typename Archive>
     void
