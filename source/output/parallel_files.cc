@@ -100,7 +100,8 @@ namespace stickslip
         before = 0; // is not set by MPI
       const int error =
         MPI_File_write_at_all(file,
-                              static_cast<MPI_Offset>(position + before),
+                              static_cast<MPI_Offset>(position) +
+                                static_cast<MPI_Offset>(before),
                               text.data(),
                               static_cast<int>(length),
                               MPI_CHAR,
