@@ -87,18 +87,17 @@ namespace stickslip
                       ? 0
                       : order.size() + 1;
     A.sort_columns(place);
-    invert_diagonal(A);
-    copy_triangles(A);
+    copy_triangles(A, invert_diagonal(A));
   }
 
 
 
-  void
+  std::vector<std::size_t>
   BlockGaussSeidel::invert_diagonal(const BlockMatrix &A)
   {
     const unsigned int n = A.n_rows();
     inverse_begins.assign(1, 0);
-    diagonals.resize(n);
+    std::vector<std::size_t> diagonals(n);
     lower_residual.resize(A.row_begin(n));
     unsigned int highest = 0;
     for (unsigned int node = 0; node < n; ++node)
@@ -126,12 +125,14 @@ namespace stickslip
         invert(block, size);
       }
     defect.resize(highest);
+    return diagonals;
   }
 
 
 
   void
-  BlockGaussSeidel::copy_triangles(const BlockMatrix &A)
+  BlockGaussSeidel::copy_triangles(const BlockMatrix              &A,
+                                   const std::vector<std::size_t> &diagonals)
   {
     CycleMatrix::Part below, above;
     for (unsigned int node = 0; node < A.n_rows(); ++node)

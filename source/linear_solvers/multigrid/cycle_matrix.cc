@@ -210,13 +210,4 @@ namespace stickslip
         }
   }
 
-
-
-  std::size_t
-  CycleMatrix::memory_consumption() const
-  {
-    return values.size() * sizeof(float) +
-           widths.size() * (sizeof(unsigned int) + 1) +
-           rows.size() * sizeof(Row);
-  }
 } // namespace stickslip

@@ -3,7 +3,6 @@
 #include <stickslip/linear_solvers/multigrid/galerkin_product.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 
 namespace stickslip
@@ -34,18 +33,6 @@ namespace stickslip
   SmoothedAggregation::n_unknowns(const unsigned int level) const
   {
     return levels[level]->space.owned_unknowns().size();
-  }
-
-
-
-  std::size_t
-  SmoothedAggregation::memory_consumption() const
-  {
-    std::size_t bytes = 0;
-    for (const auto &level : levels)
-      bytes += level->smoother.memory_consumption() +
-               level->prolongation.memory_consumption();
-    return bytes;
   }
 
 

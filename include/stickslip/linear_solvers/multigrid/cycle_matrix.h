@@ -56,10 +56,6 @@ namespace stickslip
                            const double        *x,
                            std::vector<double> &y) const;
 
-    /// Bytes of entries and their numbers on this rank.
-    std::size_t
-    memory_consumption() const;
-
   private:
     struct Row
     {

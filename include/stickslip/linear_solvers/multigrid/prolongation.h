@@ -3,7 +3,6 @@
 
 #include <stickslip/linear_solvers/multigrid/cycle_matrix.h>
 
-#include <cstddef>
 #include <vector>
 
 namespace stickslip
@@ -35,12 +34,6 @@ namespace stickslip
     void
     restrict_to_coarse(std::vector<double>       &coarse,
                        const std::vector<double> &fine) const;
-
-    std::size_t
-    memory_consumption() const
-    {
-      return matrix.memory_consumption();
-    }
 
   private:
     NodeSpace                 coarse;

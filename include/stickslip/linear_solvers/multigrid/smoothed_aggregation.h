@@ -8,7 +8,6 @@
 #include <stickslip/linear_solvers/multigrid/block_gauss_seidel.h>
 #include <stickslip/linear_solvers/multigrid/prolongation.h>
 
-#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -55,10 +54,6 @@ namespace stickslip
     /// Unknowns of a level, over all ranks.
     types::global_dof_index
     n_unknowns(const unsigned int level) const;
-
-    /// Bytes of the matrices on this rank.
-    std::size_t
-    memory_consumption() const;
 
   private:
     struct Level
