@@ -21,6 +21,13 @@ namespace stickslip
     constexpr double largest_amplification = 20.;
 
 
+
+    /// Integrals of functions that are dual to each other are no more than
+    /// this fraction of the area, and taken to be zero: their rows of the
+    /// tangent are not written.
+    constexpr double roundoff = 1e-14;
+
+
     /// The weighting functions on the part of a face that has a master.
     template <int dim>
     FullMatrix<double>
@@ -291,6 +298,9 @@ namespace stickslip
               }
           }
       }
+    for (double &D : average.D)
+      if (std::abs(D) < roundoff * variation)
+        D = 0.;
     average.r = average.x;
     for (unsigned int l = 0; l < average.n_master_nodes(); ++l)
       {

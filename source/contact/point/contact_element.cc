@@ -1,18 +1,51 @@
 #include <stickslip/contact/point/contact_element.h>
 
-#include <utility>
+#include <vector>
 
 namespace stickslip
 {
   namespace
   {
-    /// How a local unknown enters the generalized coordinates.
-    using Column = std::vector<std::pair<unsigned int, double>>;
+    /// How a local unknown enters the generalized coordinates. Mostly zeros.
+    template <int dim>
+    using Column = typename GeneralizedCoordinates<dim>::Row;
 
 
 
     template <int dim>
-    std::vector<Column>
+    void
+    add_master_columns(const SurfaceFace<dim>         &face,
+                       const MasterConfiguration<dim> &configuration,
+                       const MasterPoint<dim>         &master,
+                       const bool                      with_nodal_normals,
+                       Column<dim>                    *columns)
+    {
+      using G = GeneralizedCoordinates<dim>;
+      std::vector<Tensor<2, dim>> D_n_j;
+      for (unsigned int j = 0; j < face.n_nodes; ++j)
+        {
+          const double M_j = master.shape.value[j];
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              Column<dim> &column = columns[j * dim + c];
+              column[G::W + c]    = -M_j;
+              for (unsigned int d = 0; d < dim - 1; ++d)
+                column[G::C + d * dim + c] = master.shape.gradient[j][d];
+            }
+          if (!with_nodal_normals || M_j == 0.)
+            continue;
+          nodal_normal_derivatives(face, configuration, j, D_n_j);
+          for (unsigned int k = 0; k < D_n_j.size(); ++k)
+            for (unsigned int c = 0; c < dim; ++c)
+              for (unsigned int i = 0; i < dim; ++i)
+                columns[k * dim + c][G::M + i] += M_j * D_n_j[k][i][c];
+        }
+    }
+
+
+
+    template <int dim>
+    std::vector<Column<dim>>
     make_columns(const ContactElement<dim> &element,
                  const MasterPoint<dim>    &master,
                  const bool                 with_nodal_normals)
@@ -20,58 +53,33 @@ namespace stickslip
       using G               = GeneralizedCoordinates<dim>;
       const auto         &N = element.slave_shape;
       const auto         &L = element.multiplier_shape;
-      std::vector<Column> columns;
+      std::vector<Column<dim>> columns(element.n_dofs(), Column<dim>{});
       for (unsigned int j = 0; j < N.size(); ++j)
         for (unsigned int c = 0; c < dim; ++c)
-          if constexpr (dim == 3)
-            columns.push_back(
-              {{G::W + c, N[j]},
-               {G::E + c, element.point.geometry.direction_gradients[j]}});
-          else
-            columns.push_back({{G::W + c, N[j]}});
+          {
+            columns[j * dim + c][G::W + c] = N[j];
+            if (dim == 3)
+              columns[j * dim + c][G::E + c] =
+                element.point.geometry.direction_gradients[j];
+          }
+      unsigned int first = N.size() * dim;
       if (element.master != nullptr)
         {
-          const SurfaceFace<dim> &face         = *element.master;
-          const unsigned int      first_master = columns.size();
-          columns.resize(first_master + face.n_stencil_nodes() * dim);
-          for (unsigned int j = 0; j < face.n_nodes; ++j)
-            for (unsigned int c = 0; c < dim; ++c)
-              {
-                Column &column = columns[first_master + j * dim + c];
-                column.emplace_back(G::W + c, -master.shape.value[j]);
-                for (unsigned int d = 0; d < dim - 1; ++d)
-                  column.emplace_back(G::C + d * dim + c,
-                                      master.shape.gradient[j][d]);
-              }
-          std::vector<Tensor<2, dim>> D_n_j;
-          if (with_nodal_normals)
-            for (unsigned int j = 0; j < face.n_nodes; ++j)
-              {
-                nodal_normal_derivatives(face,
-                                         *element.master_configuration,
-                                         j,
-                                         D_n_j);
-                for (unsigned int k = 0; k < D_n_j.size(); ++k)
-                  for (unsigned int c = 0; c < dim; ++c)
-                    for (unsigned int i = 0; i < dim; ++i)
-                      if (D_n_j[k][i][c] != 0.)
-                        columns[first_master + k * dim + c].emplace_back(
-                          G::M + i, master.shape.value[j] * D_n_j[k][i][c]);
-              }
+          add_master_columns(*element.master,
+                             *element.master_configuration,
+                             master,
+                             with_nodal_normals,
+                             &columns[first]);
+          first += element.master->n_stencil_nodes() * dim;
         }
       const unsigned int n_comp = element.n_multiplier_components;
       for (unsigned int l = 0; l < L.size(); ++l)
         {
-          columns.push_back({{G::lambda, L[l]}});
+          columns[first + l * n_comp][G::lambda] = L[l];
           for (unsigned int b = 0; b + 1 < n_comp; ++b)
-            {
-              Column column;
-              for (unsigned int a = 0; a < dim - 1; ++a)
-                column.emplace_back(G::Lambda + a,
-                                    L[l] *
-                                      element.point.nodal_rotations[l][a][b]);
-              columns.push_back(column);
-            }
+            for (unsigned int a = 0; a < dim - 1; ++a)
+              columns[first + l * n_comp + 1 + b][G::Lambda + a] =
+                L[l] * element.point.nodal_rotations[l][a][b];
         }
       return columns;
     }
@@ -169,8 +177,13 @@ namespace stickslip
         Tensor<1, dim>     D_t;
         Tensor<1, dim - 1> D_xi, D_row_Lambda;
         double             D_row_lambda = 0.;
-        for (const auto &[g, coefficient] : columns[k])
+        bool               is_zero      = true;
+        for (unsigned int g = 0; g < columns[k].size(); ++g)
           {
+            const double coefficient = columns[k][g];
+            if (coefficient == 0.)
+              continue;
+            is_zero = false;
             for (unsigned int i = 0; i < dim; ++i)
               D_t[i] += coefficient * response.D_traction[i][g];
             D_row_lambda += coefficient * response.D_row_lambda[g];
@@ -180,6 +193,8 @@ namespace stickslip
                 D_row_Lambda[d] += coefficient * response.D_row_Lambda[d][g];
               }
           }
+        if (is_zero) // a point at a node does not know the others of its face
+          continue;
         for (unsigned int j = 0; j < N.size(); ++j)
           for (unsigned int c = 0; c < dim; ++c)
             local(j * dim + c, k) =

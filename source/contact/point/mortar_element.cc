@@ -161,6 +161,8 @@ namespace stickslip
               along[k] = D[k].traction[c];
             const auto write = [&](const unsigned int node,
                                    const double       share) {
+              if (share == 0.) // dual functions know their own node only
+                return;
               double *const row = &local(node * dim + c, 0);
               for (unsigned int k = 0; k < D.size(); ++k)
                 row[k] = share * along[k];
