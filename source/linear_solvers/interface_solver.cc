@@ -195,8 +195,34 @@ namespace stickslip
       }
     pattern.compress();
     interface.reinit(pattern);
+    is_renumbered = false;
     rhs.reinit(owned, communicator);
     solution.reinit(owned, communicator);
+  }
+
+
+
+  bool
+  InterfaceSolver::has_pattern_of(const LA::BlockSparseMatrix &matrix) const
+  {
+    bool fits = !is_renumbered;
+
+    std::vector<types::global_dof_index> stored;
+    for (unsigned int k = 0; k < rows.size() && fits; ++k)
+      {
+        stored.clear();
+        LA::visit_row(interface, first + k, [&](const auto column, double) {
+          stored.push_back(column);
+        });
+        std::sort(stored.begin(), stored.end());
+        visit_interface_row(
+          matrix, rows[k], [&](const auto column, const double) {
+            fits =
+              fits && std::binary_search(stored.begin(), stored.end(), column);
+          });
+      }
+    return Utilities::MPI::min<int>(fits,
+                                    matrix.block(0, 0).get_mpi_communicator());
   }
 
 
@@ -204,6 +230,7 @@ namespace stickslip
   void
   InterfaceSolver::fill(const LA::BlockSparseMatrix &matrix)
   {
+    interface = 0.;
     std::vector<types::global_dof_index> columns;
     std::vector<double>                  values;
     for (unsigned int k = 0; k < rows.size(); ++k)
@@ -234,7 +261,8 @@ namespace stickslip
     std::vector<Row> now = rows_near_contact(matrix, also_acting);
     const bool       has_changed =
       Utilities::MPI::max<int>(new_layout || now != rows, communicator);
-    rows = std::move(now);
+    is_renumbered = is_renumbered || has_changed;
+    rows          = std::move(now);
     number_rows(communicator);
     return has_changed;
   }
@@ -244,13 +272,20 @@ namespace stickslip
   void
   InterfaceSolver::factorise(const LA::BlockSparseMatrix &matrix)
   {
-    factorization.clear();
+    const bool same_pattern = has_pattern_of(matrix);
     parts.clear();
-    make_pattern(matrix);
+    if (!same_pattern)
+      {
+        factorization.clear();
+        make_pattern(matrix);
+      }
     fill(matrix);
     if (!is_large())
       {
-        check(factorization.factorise(interface));
+        check(
+          factorization.factorise(interface,
+                                  DistributedFactorization::Ordering::automatic,
+                                  same_pattern));
         return;
       }
     std::vector<bool> is_multiplier;

@@ -77,9 +77,10 @@ namespace stickslip
       }
     };
 
-    const unsigned int        largest;
-    std::vector<Row>          surface; ///< owned rows that may touch contact
-    std::vector<Row>          rows;    ///< those of the interface, in order
+    const unsigned int largest;
+    std::vector<Row>   surface;        ///< owned rows that may touch contact
+    std::vector<Row>   rows;           ///< those of the interface, in order
+    bool is_renumbered = true;         ///< since `interface` has its pattern
     types::global_dof_index   first;   ///< number of rows[0] in the interface
     std::array<LA::Vector, 2> numbers; ///< interface number + 1, ghosted; other
                                        ///< marks in rows_near_contact()
@@ -112,6 +113,11 @@ namespace stickslip
 
     void
     make_pattern(const LA::BlockSparseMatrix &matrix);
+
+    /// The pattern that the interface has been factorised with has all entries
+    /// of @p matrix: nothing has to be analysed again. Collective.
+    bool
+    has_pattern_of(const LA::BlockSparseMatrix &matrix) const;
 
     void
     fill(const LA::BlockSparseMatrix &matrix);

@@ -103,7 +103,8 @@ namespace stickslip
         , partners_move(partners_move)
       {
         for (unsigned int l = 0; l < average.n_master_nodes(); ++l)
-          numbers[average.master_dofs[l * dim]] = node.n_stencil_nodes() + l;
+          columns_of_nodes[average.master_dofs[l * dim]] =
+            node.n_stencil_nodes() + l;
       }
 
       /// Of the tangents S of what is opposite a face around the node.
@@ -119,10 +120,15 @@ namespace stickslip
         D_S.fill(std::vector<Tensor<1, dim>>(n_columns));
         typename PartnerMotion<dim>::Partner partner;
         std::vector<double>                  D_eta;
+        std::vector<unsigned int>            columns;
+        unsigned int                         m = numbers::invalid_unsigned_int;
         for (const auto &point : segments.points)
           {
-            const unsigned int m       = segments.masters[point.master];
-            const auto         columns = columns_of(around, m);
+            if (m != segments.masters[point.master])
+              {
+                m       = segments.masters[point.master];
+                columns = columns_of(around, m);
+              }
             motion.evaluate(point, patch.configuration(m).positions, partner);
             const auto weights =
               weights_at(point.xi, j, opposite, point.weight);
@@ -152,7 +158,7 @@ namespace stickslip
       const MasterPatch<dim>                         &patch;
       const unsigned int                              n_columns;
       const bool                                      partners_move;
-      std::map<types::global_dof_index, unsigned int> numbers;
+      std::map<types::global_dof_index, unsigned int> columns_of_nodes;
 
       /// Columns of the nodes of a slave face and of a master face.
       std::vector<unsigned int>
@@ -162,7 +168,7 @@ namespace stickslip
         const SurfaceFace<dim>   &face = patch.face(master);
         std::vector<unsigned int> master_nodes;
         for (unsigned int k = 0; k < face.n_nodes; ++k)
-          master_nodes.push_back(numbers.at(face.dofs[k * dim]));
+          master_nodes.push_back(columns_of_nodes.at(face.dofs[k * dim]));
         return around.columns(0, master_nodes);
       }
 
@@ -183,12 +189,17 @@ namespace stickslip
                const Opposite<dim>                    &opposite,
                TangentDerivatives<dim>                &D_S) const
       {
-        std::vector<double> N_master, gain;
+        std::vector<double>       N_master, gain;
+        std::vector<unsigned int> columns;
+        unsigned int              m = numbers::invalid_unsigned_int;
         for (const auto &end : segments.ends)
           {
-            const unsigned int m         = segments.masters[end.master];
-            const auto        &positions = patch.configuration(m).positions;
-            const auto         columns   = columns_of(around, m);
+            if (m != segments.masters[end.master])
+              {
+                m       = segments.masters[end.master];
+                columns = columns_of(around, m);
+              }
+            const auto &positions = patch.configuration(m).positions;
             motion.border_motion(end, positions, gain);
             shape.evaluate_values(end.eta, N_master);
             const Tensor<1, dim> x =

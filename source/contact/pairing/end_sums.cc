@@ -1,31 +1,9 @@
 #include <stickslip/contact/pairing/end_sums.h>
 
-#include <stickslip/base/vectorized.h>
+#include <stickslip/base/add_scaled.h>
 
 namespace stickslip
 {
-  namespace
-  {
-    /// Row @p row of @p sums += factor * values.
-    STICKSLIP_VECTORIZED void
-    add_to_row(const unsigned int         row,
-               const double               factor,
-               const std::vector<double> &values,
-               FullMatrix<double>        &sums)
-    {
-      using namespace FourLanes;
-      double *const      sum    = &sums(row, 0);
-      const unsigned int n      = values.size();
-      const unsigned int n_full = n - n % 4;
-      for (unsigned int k = 0; k < n_full; k += 4)
-        store(sum + k, load(sum + k) + factor * load(&values[k]));
-      for (unsigned int k = n_full; k < n; ++k)
-        sum[k] += factor * values[k];
-    }
-  } // namespace
-
-
-
   template <int dim>
   EndSums<dim>::EndSums(const unsigned int n_nodes,
                         const unsigned int n_multipliers)
@@ -43,7 +21,7 @@ namespace stickslip
                              const double               factor,
                              const std::vector<double> &motion)
   {
-    add_to_row(k, factor, motion, of_slave);
+    add_scaled(factor, motion, &of_slave(k, 0));
   }
 
 
@@ -54,7 +32,7 @@ namespace stickslip
                               const double               factor,
                               const std::vector<double> &motion)
   {
-    add_to_row(k, factor, motion, of_master);
+    add_scaled(factor, motion, &of_master(k, 0));
   }
 
 
@@ -65,7 +43,7 @@ namespace stickslip
                             const double               factor,
                             const std::vector<double> &motion)
   {
-    add_to_row(m, factor, motion, of_dual);
+    add_scaled(factor, motion, &of_dual(m, 0));
   }
 
 
@@ -75,7 +53,7 @@ namespace stickslip
   EndSums<dim>::add_to_area(const double               factor,
                             const std::vector<double> &motion)
   {
-    add_to_row(0, factor, motion, area);
+    add_scaled(factor, motion, &area(0, 0));
   }
 
 

@@ -41,64 +41,6 @@ namespace stickslip
 
 
   template <int dim>
-  std::vector<FullMatrix<double>>
-  MortarDerivatives<dim>::share_derivatives(const MortarFace<dim>    &slave,
-                                            const unsigned int        l,
-                                            const FaceSegments<dim>  &segments,
-                                            const FullMatrix<double> &weighting,
-                                            const MasterPatch<dim> &patch) const
-  {
-    const unsigned int              n = displacement_shape.n_nodes();
-    const PartnerMotion<dim>        motion(displacement_shape, slave);
-    std::vector<FullMatrix<double>> D_M(segments.masters.size(),
-                                        FullMatrix<double>(n, 2 * n * dim));
-    // how the shares change where the plane of projection turns
-    std::vector<std::vector<Tensor<1, dim>>> D_M_of_plane(
-      segments.masters.size(), std::vector<Tensor<1, dim>>(n));
-    std::vector<double>                  L;
-    typename PartnerMotion<dim>::Partner partner;
-    for (const auto &point : segments.points)
-      {
-        multiplier_shape.evaluate_values(point.xi, L);
-        const double psi = point.weight * combination(weighting, l, L);
-        if (psi == 0.)
-          continue;
-        motion.evaluate(
-          point,
-          patch.configuration(segments.masters[point.master]).positions,
-          partner);
-        for (unsigned int i = 0; i < n; ++i)
-          {
-            Tensor<1, dim> D_share; // per motion of the slave's point
-            for (unsigned int d = 0; d < dim - 1; ++d)
-              D_share += psi * partner.master.gradient[i][d] * partner.dual[d];
-            D_M_of_plane[point.master][i] -= partner.distance * D_share;
-            double *column = &D_M[point.master](i, 0);
-            for (const std::vector<double> *values :
-                 {&partner.N, &partner.master.value})
-              {
-                for (unsigned int k = 0; k < n; ++k)
-                  for (unsigned int c = 0; c < dim; ++c)
-                    *column++ += (*values)[k] * D_share[c];
-                D_share *= -1.;
-              }
-          }
-      }
-    for (unsigned int m = 0; m < D_M.size(); ++m)
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int k = 0; k < n; ++k)
-          {
-            const Tensor<1, dim> along =
-              D_M_of_plane[m][i] * motion.plane_normal_derivative()[k];
-            for (unsigned int c = 0; c < dim; ++c)
-              D_M[m](i, k * dim + c) += along[c];
-          }
-    return D_M;
-  }
-
-
-
-  template <int dim>
   void
   MortarDerivatives<dim>::add_ends(
     const MortarFace<dim>                        &slave,
@@ -218,6 +160,7 @@ namespace stickslip
     const std::vector<FaceIntegrals<dim>> &integrals,
     const MasterPatch<dim>                &patch,
     const bool                             partners_move,
+    ShareDerivatives<dim>                 &shares,
     MortarDerivative<dim>                 &derivative) const
   {
     const unsigned int n_slave = node.n_stencil_nodes();
@@ -267,22 +210,19 @@ namespace stickslip
         if (!average.paired || !partners_move || patch.tool() != nullptr)
           continue;
 
-        const std::vector<FullMatrix<double>> D_M =
-          share_derivatives(slave,
-                            around.multiplier,
-                            of_face,
-                            integrals[around.face].weighting,
-                            patch);
+        const auto &D_M = shares.of_face(
+          around.face, slave, of_face, integrals[around.face].weighting, patch);
         std::vector<std::vector<unsigned int>> rows(D_M.size());
         for (unsigned int i = 0; i < D_M.size(); ++i)
           {
             const SurfaceFace<dim> &master = patch.face(of_face.masters[i]);
             for (unsigned int k = 0; k < n; ++k)
               rows[i].push_back(numbers.at(master.dofs[k * dim]));
-            const auto columns = around.columns(n_slave, rows[i]);
+            const auto  columns = around.columns(n_slave, rows[i]);
+            const auto &D_M_i   = D_M[i][around.multiplier];
             for (unsigned int l = 0; l < n; ++l)
               for (unsigned int k = 0; k < columns.size(); ++k)
-                derivative.D_M(rows[i][l], columns[k]) += D_M[i](l, k);
+                derivative.D_M(rows[i][l], columns[k]) += D_M_i(l, k);
           }
         if (of_face.ends.empty())
           continue;

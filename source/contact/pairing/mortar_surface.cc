@@ -36,6 +36,7 @@ namespace stickslip
     , derivatives(displacement_shape, multiplier_shape)
     , cross_section(cross_section)
     , meets_itself(meets_itself)
+    , shares(displacement_shape, multiplier_shape)
   {
     collect_mortar_nodes(displacement_shape,
                          multiplier_shape,
@@ -62,6 +63,7 @@ namespace stickslip
     for (auto &point : points)
       point.geometry.weight = nodes[point.geometry.mortar_node].area;
     averages.resize(nodes.size());
+    shares.expect(nodes);
     current = remembered = accepted = empty_pairing();
   }
 
@@ -329,6 +331,7 @@ namespace stickslip
   {
     current              = pairing;
     const auto &segments = *current->segments;
+    shares.clear();
     if (integrated != current->segments)
       {
         // a function of the segments alone: frozen ones keep them
@@ -366,7 +369,7 @@ namespace stickslip
   void
   MortarSurface<dim>::differentiate(const unsigned int      i,
                                     const MasterPatch<dim> &patch,
-                                    MortarDerivative<dim>  &derivative) const
+                                    MortarDerivative<dim>  &derivative)
   {
     derivatives.differentiate(nodes[i],
                               averages[i],
@@ -376,7 +379,9 @@ namespace stickslip
                               over_faces,
                               patch,
                               !keeps_partners(),
+                              shares,
                               derivative);
+    shares.finish_node(i);
   }
 
 

@@ -50,9 +50,9 @@ namespace stickslip
                  const MasterPoint<dim>    &master,
                  const bool                 with_nodal_normals)
     {
-      using G               = GeneralizedCoordinates<dim>;
-      const auto         &N = element.slave_shape;
-      const auto         &L = element.multiplier_shape;
+      using G                    = GeneralizedCoordinates<dim>;
+      const auto              &N = element.slave_shape;
+      const auto              &L = element.multiplier_shape;
       std::vector<Column<dim>> columns(element.n_dofs(), Column<dim>{});
       for (unsigned int j = 0; j < N.size(); ++j)
         for (unsigned int c = 0; c < dim; ++c)

@@ -2,6 +2,7 @@
 #define stickslip_contact_pairing_mortar_derivatives_h
 
 #include <stickslip/contact/pairing/mortar_integrals.h>
+#include <stickslip/contact/pairing/share_derivatives.h>
 
 #include <vector>
 
@@ -27,6 +28,7 @@ namespace stickslip
                   const std::vector<FaceIntegrals<dim>> &integrals,
                   const MasterPatch<dim>                &patch,
                   const bool                             partners_move,
+                  ShareDerivatives<dim>                 &shares,
                   MortarDerivative<dim>                 &derivative) const;
 
   private:
@@ -46,15 +48,6 @@ namespace stickslip
                     const bool                              has_normal_of_tool,
                     const bool                              partners_move,
                     MortarDerivative<dim>                  &derivative) const;
-
-    /// Derivative of the integrals of psi_l N(master), per master face:
-    /// [master node][(slave nodes, master nodes) * dim].
-    std::vector<FullMatrix<double>>
-    share_derivatives(const MortarFace<dim>    &slave,
-                      const unsigned int        l,
-                      const FaceSegments<dim>  &segments,
-                      const FullMatrix<double> &weighting,
-                      const MasterPatch<dim>   &patch) const;
 
     /// Adds what the motion of the borders changes where the master surface
     /// ends. @p rows: numbers of the nodes of each master face.

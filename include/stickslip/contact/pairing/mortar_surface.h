@@ -166,11 +166,12 @@ namespace stickslip
       return {masters.begin(), masters.end()};
     }
 
-    /// Derivative of the averages of node @p i.
+    /// Derivative of the averages of node @p i; cheapest in the order of the
+    /// nodes.
     void
     differentiate(const unsigned int      i,
                   const MasterPatch<dim> &patch,
-                  MortarDerivative<dim>  &derivative) const;
+                  MortarDerivative<dim>  &derivative);
 
     /// The pairing in use is an accepted iterate, or a frozen geometry.
     void
@@ -218,6 +219,7 @@ namespace stickslip
     std::vector<MortarNode<dim>>    nodes;
     std::vector<FaceIntegrals<dim>> over_faces; ///< of the present pairing
     std::vector<MortarAverage<dim>> averages;
+    ShareDerivatives<dim>           shares;     ///< of those, now
     SegmentsPointer                 integrated; ///< what over_faces are of
     SegmentsPointer                 kept; ///< of a surface that cannot part
     std::vector<Tensor<1, dim>>     kept_positions; ///< r along n and tangents

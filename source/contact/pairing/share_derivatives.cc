@@ -1,0 +1,123 @@
+#include <stickslip/contact/pairing/share_derivatives.h>
+
+#include <stickslip/base/add_scaled.h>
+
+#include <stickslip/contact/pairing/partner_motion.h>
+
+namespace stickslip
+{
+  template <int dim>
+  ShareDerivatives<dim>::ShareDerivatives(
+    const FaceShape<dim> &displacement_shape,
+    const FaceShape<dim> &multiplier_shape)
+    : displacement_shape(displacement_shape)
+    , multiplier_shape(multiplier_shape)
+  {}
+
+
+
+  template <int dim>
+  void
+  ShareDerivatives<dim>::expect(const std::vector<MortarNode<dim>> &nodes)
+  {
+    std::map<unsigned int, unsigned int> last_node; // by face
+    for (unsigned int i = 0; i < nodes.size(); ++i)
+      for (const auto &around : nodes[i].faces)
+        last_node[around.face] = i;
+    last_of.assign(nodes.size(), {});
+    for (const auto &[face, node] : last_node)
+      last_of[node].push_back(face);
+    clear();
+  }
+
+
+
+  template <int dim>
+  const std::vector<typename ShareDerivatives<dim>::OfMaster> &
+  ShareDerivatives<dim>::of_face(const unsigned int        f,
+                                 const MortarFace<dim>    &slave,
+                                 const FaceSegments<dim>  &segments,
+                                 const FullMatrix<double> &weighting,
+                                 const MasterPatch<dim>   &patch)
+  {
+    auto position = kept.find(f);
+    if (position == kept.end())
+      position =
+        kept.emplace(f, evaluate(slave, segments, weighting, patch)).first;
+    return position->second;
+  }
+
+
+
+  template <int dim>
+  void
+  ShareDerivatives<dim>::finish_node(const unsigned int i)
+  {
+    for (const unsigned int face : last_of[i])
+      kept.erase(face);
+  }
+
+
+
+  template <int dim>
+  std::vector<typename ShareDerivatives<dim>::OfMaster>
+  ShareDerivatives<dim>::evaluate(const MortarFace<dim>    &slave,
+                                  const FaceSegments<dim>  &segments,
+                                  const FullMatrix<double> &weighting,
+                                  const MasterPatch<dim>   &patch) const
+  {
+    const unsigned int       n      = displacement_shape.n_nodes();
+    const unsigned int       n_mult = multiplier_shape.n_nodes();
+    const PartnerMotion<dim> motion(displacement_shape, slave);
+    std::vector<OfMaster>    D_M(segments.masters.size(),
+                              OfMaster(n_mult,
+                                       FullMatrix<double>(n, 2 * n * dim)));
+    // how the shares change where the plane of projection turns: [l * n + i]
+    std::vector<std::vector<Tensor<1, dim>>> D_M_of_plane(
+      segments.masters.size(), std::vector<Tensor<1, dim>>(n_mult * n));
+    std::vector<double>                  L, psi(n_mult), D_N(2 * n * dim);
+    typename PartnerMotion<dim>::Partner partner;
+    for (const auto &point : segments.points)
+      {
+        multiplier_shape.evaluate_values(point.xi, L);
+        for (unsigned int l = 0; l < n_mult; ++l)
+          psi[l] = point.weight * combination(weighting, l, L);
+        motion.evaluate(
+          point,
+          patch.configuration(segments.masters[point.master]).positions,
+          partner);
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            Tensor<1, dim> along; // N_i of the master per motion of the slave
+            for (unsigned int d = 0; d < dim - 1; ++d)
+              along += partner.master.gradient[i][d] * partner.dual[d];
+            for (unsigned int k = 0; k < n; ++k)
+              for (unsigned int c = 0; c < dim; ++c)
+                {
+                  D_N[k * dim + c]       = partner.N[k] * along[c];
+                  D_N[(n + k) * dim + c] = -partner.master.value[k] * along[c];
+                }
+            for (unsigned int l = 0; l < n_mult; ++l)
+              {
+                add_scaled(psi[l], D_N, &D_M[point.master][l](i, 0));
+                D_M_of_plane[point.master][l * n + i] -=
+                  (psi[l] * partner.distance) * along;
+              }
+          }
+      }
+    for (unsigned int m = 0; m < D_M.size(); ++m)
+      for (unsigned int l = 0; l < n_mult; ++l)
+        for (unsigned int i = 0; i < n; ++i)
+          for (unsigned int k = 0; k < n; ++k)
+            {
+              const Tensor<1, dim> along = D_M_of_plane[m][l * n + i] *
+                                           motion.plane_normal_derivative()[k];
+              for (unsigned int c = 0; c < dim; ++c)
+                D_M[m][l](i, k * dim + c) += along[c];
+            }
+    return D_M;
+  }
+
+  template class ShareDerivatives<2>;
+  template class ShareDerivatives<3>;
+} // namespace stickslip
