@@ -273,12 +273,20 @@ namespace stickslip
 
 
 
+    /// As deal.II's own generators take them.
     std::string
-    joined_arguments(const std::vector<std::string> &values)
+    joined_arguments(const std::string              &name,
+                     const std::vector<std::string> &values)
     {
       std::string text;
       for (const std::string &value : values)
         text += (text.empty() ? "" : " : ") + value;
+#if DEAL_II_VERSION_GTE(9, 6, 0)
+      if (name == "cylinder_shell")
+        text += " : false"; // not colorized, as it always was
+#else
+      (void)name;
+#endif
       return text;
     }
   } // namespace
@@ -318,7 +326,7 @@ namespace stickslip
           generate_own(name, values, where, triangulation);
         else
           GridGenerator::generate_from_name_and_arguments(
-            triangulation, name, joined_arguments(values));
+            triangulation, name, joined_arguments(name, values));
       }
     catch (const UserError &)
       {

@@ -53,85 +53,88 @@ namespace stickslip
 
       Vector<float> body, material, rank;
     };
+  } // namespace
 
 
 
-    /// Knows by the names of the components which of them are a tensor: deal.II
-    /// thinks that a tensor has dim x dim of them. Can have patches of a part
-    /// of the cells.
-    template <int dim>
-    class FieldPatches : public DataOut<dim>
+  /// Knows by the names of the components which of them are a tensor: deal.II
+  /// thinks that a tensor has dim x dim of them. Can have patches of a part
+  /// of the cells.
+  template <int dim>
+  class FieldPatches : public DataOut<dim>
+  {
+  public:
+    using CellIterator = typename Triangulation<dim>::cell_iterator;
+
+    /// After build_patches() with 2 subdivisions.
+    void
+    cut_quadratic_simplices()
     {
-    public:
-      using CellIterator = typename Triangulation<dim>::cell_iterator;
+      cut_into_linear_simplices(this->patches);
+    }
 
-      /// After build_patches() with 2 subdivisions.
-      void
-      cut_quadratic_simplices()
-      {
-        cut_into_linear_simplices(this->patches);
-      }
+    /// The next build_patches() is for these cells.
+    void
+    select(const std::vector<CellIterator> &cells,
+           const std::size_t                begin,
+           const std::size_t                end)
+    {
+      // deal.II asks for the cells one after the other, more than once
+      this->set_cell_selection(
+        [&cells, begin, end](const Triangulation<dim> &triangulation) {
+          return begin < end ? cells[begin] : triangulation.end();
+        },
+        [&cells, begin, end, last = begin](
+          const Triangulation<dim> &triangulation,
+          const CellIterator       &cell) mutable {
+          if (last >= end || cells[last] != cell)
+            last = begin; // again
+          ++last;
+          return last < end ? cells[last] : triangulation.end();
+        });
+    }
 
-      /// The next build_patches() is for these cells.
-      void
-      select(const std::vector<CellIterator> &cells,
-             const std::size_t                begin,
-             const std::size_t                end)
-      {
-        // deal.II asks for the cells one after the other, more than once
-        this->set_cell_selection(
-          [&cells, begin, end](const Triangulation<dim> &triangulation) {
-            return begin < end ? cells[begin] : triangulation.end();
-          },
-          [&cells, begin, end, last = begin](
-            const Triangulation<dim> &triangulation,
-            const CellIterator       &cell) mutable {
-            if (last >= end || cells[last] != cell)
-              last = begin; // again
-            ++last;
-            return last < end ? cells[last] : triangulation.end();
-          });
-      }
+    void
+    write_piece(const DataOutBase::VtkFlags &flags, std::ostream &out) const
+    {
+      DataOutBase::write_vtu_main(this->get_patches(),
+                                  this->get_dataset_names(),
+                                  this->get_nonscalar_data_ranges(),
+                                  flags,
+                                  out);
+    }
 
-      void
-      write_piece(const DataOutBase::VtkFlags &flags, std::ostream &out) const
-      {
-        DataOutBase::write_vtu_main(this->get_patches(),
-                                    this->get_dataset_names(),
-                                    this->get_nonscalar_data_ranges(),
-                                    flags,
-                                    out);
-      }
+  protected:
+    using Range =
+      std::tuple<unsigned int,
+                 unsigned int,
+                 std::string,
+                 DataComponentInterpretation::DataComponentInterpretation>;
 
-    protected:
-      using Range =
-        std::tuple<unsigned int,
-                   unsigned int,
-                   std::string,
-                   DataComponentInterpretation::DataComponentInterpretation>;
-
-      std::vector<Range>
-      get_nonscalar_data_ranges() const override
-      {
-        std::vector<Range> ranges = DataOut<dim>::get_nonscalar_data_ranges();
-        const std::vector<std::string> names = this->get_dataset_names();
-        for (const char *tensor : {"cauchy_stress", "strain"})
-          {
-            const auto first = std::find(names.begin(), names.end(), tensor);
-            const unsigned int i = first - names.begin();
-            if (first != names.end())
-              ranges.emplace_back(
-                i,
-                i + 8,
-                tensor,
-                DataComponentInterpretation::component_is_part_of_tensor);
-          }
-        return ranges;
-      }
-    };
+    std::vector<Range>
+    get_nonscalar_data_ranges() const override
+    {
+      std::vector<Range> ranges = DataOut<dim>::get_nonscalar_data_ranges();
+      const std::vector<std::string> names = this->get_dataset_names();
+      for (const char *tensor : {"cauchy_stress", "strain"})
+        {
+          const auto first     = std::find(names.begin(), names.end(), tensor);
+          const unsigned int i = first - names.begin();
+          if (first != names.end())
+            ranges.emplace_back(
+              i,
+              i + 8,
+              tensor,
+              DataComponentInterpretation::component_is_part_of_tensor);
+        }
+      return ranges;
+    }
+  };
 
 
 
+  namespace
+  {
     /// Where the nodes of the deformed bodies are; ghosted.
     template <int dim>
     LA::Vector

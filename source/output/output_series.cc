@@ -260,7 +260,7 @@ namespace stickslip
   OutputSeries::write_hdf5(const DataOutInterface<dim, spacedim> &data,
                            const std::string                     &step_name,
                            const double                           time,
-                           const ReferenceCell                   &cell,
+                           [[maybe_unused]] const ReferenceCell  &cell,
                            std::string                           &grid) const
   {
     // Nodes are not merged: stresses jump between cells.

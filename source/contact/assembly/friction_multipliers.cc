@@ -39,7 +39,10 @@ namespace stickslip
           continue;
         double square = 0.;
         for (unsigned int c = 1; c < dim; ++c)
-          square += std::pow(multipliers(node.first_dof + c), 2);
+          {
+            const double Lambda = multipliers(node.first_dof + c);
+            square += Lambda * Lambda;
+          }
         if (square <= longest_multiplier * longest_multiplier)
           continue;
         const double factor = longest_multiplier / std::sqrt(square);

@@ -161,11 +161,10 @@ namespace stickslip
               along[k] = D[k].traction[c];
             const auto write = [&](const unsigned int node,
                                    const double       share) {
-              if (share == 0.) // dual functions know their own node only
-                return;
               double *const row = &local(node * dim + c, 0);
-              for (unsigned int k = 0; k < D.size(); ++k)
-                row[k] = share * along[k];
+              if (share != 0.) // dual functions know their own node only
+                for (unsigned int k = 0; k < D.size(); ++k)
+                  row[k] = share * along[k];
             };
             for (unsigned int j = 0; j < n_slave; ++j)
               write(j, element.average.D[j]);
@@ -343,15 +342,14 @@ namespace stickslip
                 const MortarDerivative<dim>  *derivative,
                 FullMatrix<double>           &local)
   {
-    using G                 = GeneralizedCoordinates<dim>;
-    const auto &response    = state.response;
-    const auto  columns     = displacement_columns(element, derivative);
-    const auto  coordinates = {G::W, G::motion, G::M, G::E};
+    using G              = GeneralizedCoordinates<dim>;
+    const auto &response = state.response;
+    const auto  columns  = displacement_columns(element, derivative);
     std::vector<ResponseDerivative<dim>> D(columns.size());
     for (unsigned int k = 0; k < columns.size(); ++k)
       {
         unsigned int entry = 0;
-        for (const unsigned int first : coordinates)
+        for (const unsigned int first : {G::W, G::motion, G::M, G::E})
           for (unsigned int i = 0; i < dim; ++i, ++entry)
             if (columns[k][entry] != 0.)
               D[k].add(response, first + i, columns[k][entry]);
