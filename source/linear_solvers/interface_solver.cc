@@ -272,20 +272,19 @@ namespace stickslip
   void
   InterfaceSolver::factorise(const LA::BlockSparseMatrix &matrix)
   {
-    const bool same_pattern = has_pattern_of(matrix);
-    parts.clear();
-    if (!same_pattern)
+    if (!is_large() && has_pattern_of(matrix))
       {
-        factorization.clear();
-        make_pattern(matrix);
+        fill(matrix);
+        if (!factorization.refactorise())
+          return;
       }
+    factorization.clear();
+    parts.clear();
+    make_pattern(matrix);
     fill(matrix);
     if (!is_large())
       {
-        check(
-          factorization.factorise(interface,
-                                  DistributedFactorization::Ordering::automatic,
-                                  same_pattern));
+        check(factorization.factorise(interface));
         return;
       }
     std::vector<bool> is_multiplier;

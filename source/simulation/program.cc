@@ -21,6 +21,8 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -225,8 +227,13 @@ namespace stickslip
   int
   run_program(int argc, char **argv)
   {
+    // PETSc, which deal.II may bring along, would take our arguments for its
+    // own and complain that it knows none of them.
+    std::array<char *, 2> name{{argc > 0 ? argv[0] : nullptr, nullptr}};
+    int                   n_names = std::min(argc, 1);
+    char                **names   = name.data();
     // One thread per rank: MPI is the parallelism.
-    dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+    dealii::Utilities::MPI::MPI_InitFinalize mpi(n_names, names, 1);
     return_free_memory();
     share_cores_among_ranks();
     const auto report = [](const std::string &kind, const std::string &text) {

@@ -230,11 +230,48 @@ namespace
     for (const auto i : residual.block(0).locally_owned_elements())
       if (LA::row_length(K.block(0, 1), i) > 0)
         left = std::max(left, std::abs(residual.block(0)(i)));
-    // weakly held bodies move far, and their forces are differences of large
-    // ones
+    // weakly held bodies move far: what is left is compared with what cancels
+    const double forces =
+      K.block(0, 0).linfty_norm() * correction.linfty_norm();
     print("  nothing is left of the residual there",
-          Utilities::MPI::max(left, MPI_COMM_WORLD) <
-            1e-15 * correction.linfty_norm());
+          Utilities::MPI::max(left, MPI_COMM_WORLD) < 1e-15 * forces);
+
+    // with the stiffness of the nodes alone, in the pattern of all and in its
+    // own, which is too small for all
+    LA::BlockSparseMatrix uncoupled;
+    uncoupled.reinit(2, 2);
+    for (unsigned int a = 0; a < 2; ++a)
+      for (unsigned int b = 0; b < 2; ++b)
+        uncoupled.block(a, b).copy_from(K.block(a, b));
+    uncoupled.collect_sizes();
+    uncoupled.block(0, 0) = 0.;
+    for (const auto i : K.block(0, 0).locally_owned_range_indices())
+      uncoupled.block(0, 0).set(i, i, K.block(0, 0).diag_element(i));
+    uncoupled.compress(VectorOperation::insert);
+    const auto solve = [&](InterfaceSolver             &solver,
+                           const LA::BlockSparseMatrix &matrix) {
+      solver.factorise(matrix);
+      OwnedEntries u(entries.size(), 0.);
+      solver.solve(u, owned_entries(x));
+      return u;
+    };
+    const auto largest = [](const OwnedEntries &u, const OwnedEntries &v) {
+      double difference = 0.;
+      for (unsigned int i = 0; i < u.size(); ++i)
+        difference = std::max(difference, std::abs(u[i] - v[i]));
+      return Utilities::MPI::max(difference, MPI_COMM_WORLD);
+    };
+    InterfaceSolver another(100000);
+    another.determine_unknowns(K, true);
+    const OwnedEntries zero(entries.size(), 0.);
+    const OwnedEntries in_pattern_of_all = solve(interface, uncoupled);
+    const OwnedEntries in_own_pattern    = solve(another, uncoupled);
+    print("  zeros in the pattern change nothing",
+          largest(in_pattern_of_all, in_own_pattern) <
+            1e-8 * largest(in_own_pattern, zero));
+    print("  a pattern without all entries is not kept",
+          largest(solve(another, K), solution) <
+            1e-6 * largest(solution, zero));
   }
 
 

@@ -114,8 +114,9 @@ namespace stickslip
     void
     make_pattern(const LA::BlockSparseMatrix &matrix);
 
-    /// The pattern that the interface has been factorised with has all entries
-    /// of @p matrix: nothing has to be analysed again. Collective.
+    /// The rows are those that the interface has been factorised with, and its
+    /// pattern has all entries of @p matrix that are not zero there: nothing
+    /// has to be analysed again. Collective.
     bool
     has_pattern_of(const LA::BlockSparseMatrix &matrix) const;
 

@@ -322,37 +322,41 @@ namespace stickslip
     FullMatrix<double> local_matrix;
     friction.reinit(numbering.locally_owned(), communicator);
     for (const auto &pair : pairs)
-      for (auto &point : pair->points)
-        {
-          ContactEvaluation<dim> &state =
-            this->differentiate(*pair, point, linearize_geometry);
-          point.observed = observe(point, state);
-          assume_stick_before_first_pressure(point, state);
-          if (pair->mortar && point.pairing.paired)
-            hold_touching_node(point, state);
-          const auto dofs = point_dofs(*pair, point);
-          local.reinit(dofs.size());
-          local_matrix.reinit(dofs.size(), dofs.size());
-          evaluate_local_residual(*pair, point, state, local);
-          local *= -1.;
-          evaluate_local_tangent(*pair,
-                                 point,
-                                 state,
-                                 this->live.geometry && linearize_geometry,
-                                 local_matrix);
-          constraints.distribute_local_to_global(
-            local_matrix, local, dofs, matrix, rhs);
-          if (has_linearized_friction(*pair, point))
-            {
-              const unsigned int i = point.geometry.quadrature_index;
-              friction.add_point(pair->slave_faces[point.geometry.slave_face]
-                                   .multiplier_dofs[i * dim],
-                                 pair->parameters.friction_coefficient,
-                                 point,
-                                 point.nodal_rotations[i],
-                                 state);
-            }
-        }
+      {
+        for (auto &point : pair->points)
+          {
+            ContactEvaluation<dim> &state =
+              this->differentiate(*pair, point, linearize_geometry);
+            point.observed = observe(point, state);
+            assume_stick_before_first_pressure(point, state);
+            if (pair->mortar && point.pairing.paired)
+              hold_touching_node(point, state);
+            const auto dofs = point_dofs(*pair, point);
+            local.reinit(dofs.size());
+            local_matrix.reinit(dofs.size(), dofs.size());
+            evaluate_local_residual(*pair, point, state, local);
+            local *= -1.;
+            evaluate_local_tangent(*pair,
+                                   point,
+                                   state,
+                                   this->live.geometry && linearize_geometry,
+                                   local_matrix);
+            constraints.distribute_local_to_global(
+              local_matrix, local, dofs, matrix, rhs);
+            if (has_linearized_friction(*pair, point))
+              {
+                const unsigned int i = point.geometry.quadrature_index;
+                friction.add_point(pair->slave_faces[point.geometry.slave_face]
+                                     .multiplier_dofs[i * dim],
+                                   pair->parameters.friction_coefficient,
+                                   point,
+                                   point.nodal_rotations[i],
+                                   state);
+              }
+          }
+        if (pair->mortar)
+          pair->mortar->finish_derivatives();
+      }
     friction.compress();
   }
 

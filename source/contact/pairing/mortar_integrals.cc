@@ -22,10 +22,11 @@ namespace stickslip
 
 
 
-    /// Integrals of functions that are dual to each other are no more than
-    /// this fraction of the area, and taken to be zero: their rows of the
-    /// tangent are not written.
+    /// An integral of psi_l N_k that is less than this fraction of that of
+    /// |psi_l| is roundoff of zero, as it is for other nodes where psi_l is
+    /// dual. write_rows() spares the rows of zeros.
     constexpr double roundoff = 1e-14;
+
 
 
     /// The weighting functions on the part of a face that has a master.

@@ -99,6 +99,8 @@ namespace stickslip
                 }
             for (unsigned int l = 0; l < n_mult; ++l)
               {
+                if (psi[l] == 0.)
+                  continue;
                 add_scaled(psi[l], D_N, &D_M[point.master][l](i, 0));
                 D_M_of_plane[point.master][l * n + i] -=
                   (psi[l] * partner.distance) * along;

@@ -135,7 +135,7 @@ namespace stickslip
                                       const Ordering          ordering,
                                       const bool              same_pattern)
   {
-    if (same_pattern && factors != nullptr && !factors->refactorise())
+    if (same_pattern && !refactorise())
       return FactorizationError();
     while (true)
       {
@@ -147,6 +147,18 @@ namespace stickslip
           return error;
         supplement = std::max(2 * supplement, usual_supplement);
       }
+  }
+
+
+
+  FactorizationError
+  DistributedFactorization::refactorise()
+  {
+    if (factors != nullptr)
+      return factors->refactorise();
+    FactorizationError nothing_there;
+    nothing_there.kind = FactorizationError::Kind::other;
+    return nothing_there;
   }
 
 

@@ -173,6 +173,13 @@ namespace stickslip
                   const MasterPatch<dim> &patch,
                   MortarDerivative<dim>  &derivative);
 
+    /// No more nodes are differentiated in this configuration: frees memory.
+    void
+    finish_derivatives()
+    {
+      shares.clear();
+    }
+
     /// The pairing in use is an accepted iterate, or a frozen geometry.
     void
     accept_iterate()

@@ -12,8 +12,9 @@ namespace stickslip
    * How the integrals of psi_l N(master) over slave faces change when nodes
    * move and the borders of the segments stay on the slave face. The nodes
    * around a face need the same evaluations: the first one that asks makes them
-   * for all, and the last one takes them away. With nodes in the order of the
-   * faces few faces are kept at a time.
+   * for all, and the last one takes them away (clear() those of faces whose
+   * last node does not ask). With nodes in the order of the faces few faces are
+   * kept at a time.
    */
   template <int dim>
   class ShareDerivatives
@@ -30,7 +31,7 @@ namespace stickslip
     void
     expect(const std::vector<MortarNode<dim>> &nodes);
 
-    /// Something has moved.
+    /// Something has moved, or nobody asks any more.
     void
     clear()
     {

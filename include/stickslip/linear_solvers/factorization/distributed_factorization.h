@@ -47,6 +47,12 @@ namespace stickslip
               const Ordering          ordering     = Ordering::automatic,
               const bool              same_pattern = false);
 
+    /// Factorises the matrix of the last call, which has other values and the
+    /// same pattern, in the order found then. Returns the same on all ranks,
+    /// an error if there was no call. Collective.
+    [[nodiscard]] FactorizationError
+    refactorise();
+
     /// Solves for @p x, whose layout is that of @p b and of the rows. Returns
     /// the same on all ranks. Collective.
     [[nodiscard]] FactorizationError
