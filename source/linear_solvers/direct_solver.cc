@@ -164,12 +164,12 @@ namespace stickslip
         make_pattern(matrix);
       }
     fill(matrix);
-    throw_if_failed(factorization.factorise(merged,
-                                            best_ordering(
-                                              description.n_components),
-                                            /*same_pattern=*/!new_pattern),
-                    name,
-                    singular_text);
+    if (!new_pattern && !factorization.refactorise())
+      return;
+    throw_if_failed(
+      factorization.factorise(merged, best_ordering(description.n_components)),
+      name,
+      singular_text);
   }
 
 

@@ -77,13 +77,15 @@ namespace stickslip
       }
     };
 
-    const unsigned int largest;
-    std::vector<Row>   surface;        ///< owned rows that may touch contact
-    std::vector<Row>   rows;           ///< those of the interface, in order
-    bool is_renumbered = true;         ///< since `interface` has its pattern
+    const unsigned int        largest;
+    std::vector<Row>          surface; ///< owned rows that may touch contact
+    std::vector<Row>          rows;    ///< those of the interface, in order
     types::global_dof_index   first;   ///< number of rows[0] in the interface
     std::array<LA::Vector, 2> numbers; ///< interface number + 1, ghosted; other
                                        ///< marks in rows_near_contact()
+    /// The rows are others than those of the matrix `interface`.
+    bool is_renumbered = true;
+
     LA::SparseMatrix         interface;
     LA::Vector               rhs, solution;
     DistributedFactorization factorization; ///< of the whole interface

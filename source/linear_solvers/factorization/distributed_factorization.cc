@@ -132,11 +132,8 @@ namespace stickslip
 
   FactorizationError
   DistributedFactorization::factorise(const LA::SparseMatrix &matrix,
-                                      const Ordering          ordering,
-                                      const bool              same_pattern)
+                                      const Ordering          ordering)
   {
-    if (same_pattern && !refactorise())
-      return FactorizationError();
     while (true)
       {
         factors.reset();

@@ -38,18 +38,16 @@ namespace stickslip
 
     ~DistributedFactorization();
 
-    /// Factorises @p matrix, which must outlive the factors. With
-    /// @p same_pattern it is the matrix of the last call with other values, for
-    /// which the order found then is tried first. Returns the same on all
-    /// ranks. Collective.
+    /// Factorises @p matrix, which must outlive the factors. Returns the same on
+    /// all ranks. Collective.
     [[nodiscard]] FactorizationError
     factorise(const LA::SparseMatrix &matrix,
-              const Ordering          ordering     = Ordering::automatic,
-              const bool              same_pattern = false);
+              const Ordering          ordering = Ordering::automatic);
 
-    /// Factorises the matrix of the last call, which has other values and the
-    /// same pattern, in the order found then. Returns the same on all ranks,
-    /// an error if there was no call. Collective.
+    /// Factorises the matrix of the last factorise() with the values that it
+    /// has now, in the order found then. What fails here may succeed in an
+    /// order of its own. Returns the same on all ranks, an error if there are
+    /// no factors. Collective.
     [[nodiscard]] FactorizationError
     refactorise();
 
