@@ -14,6 +14,9 @@ namespace stickslip
 
     constexpr unsigned int n_power_steps = 10;
 
+    /// Some ten microseconds of work, beside which a call of MPI is nothing.
+    constexpr unsigned int nodes_between_calls = 64;
+
 
 
     /// Gauss-Jordan in place; without pivoting, as the blocks are definite.
@@ -183,29 +186,57 @@ namespace stickslip
 
 
 
+  template <typename Visitor>
+  void
+  BlockGaussSeidel::visit_forwards(const unsigned int first,
+                                   const unsigned int end,
+                                   const Visitor     &visit) const
+  {
+    for (unsigned int k = first; k < end; ++k)
+      {
+        visit(order[k]);
+        if (k % nodes_between_calls == 0)
+          exchange.progress();
+      }
+  }
+
+
+
+  template <typename Visitor>
+  void
+  BlockGaussSeidel::visit_backwards(const unsigned int first,
+                                    const unsigned int end,
+                                    const Visitor     &visit) const
+  {
+    for (unsigned int k = end; k-- > first;)
+      {
+        visit(order[k]);
+        if (k % nodes_between_calls == 0)
+          exchange.progress();
+      }
+  }
+
+
+
   void
   BlockGaussSeidel::sweep_forwards(std::vector<double>       &x,
                                    const std::vector<double> &b,
                                    const double *const        upper_part) const
   {
     std::copy_n(b.begin(), lower_residual.size(), lower_residual.begin());
-    const auto relax = [&](const unsigned int first, const unsigned int end) {
-      for (unsigned int k = first; k < end; ++k)
-        {
-          const unsigned int node  = order[k];
-          const unsigned int begin = space.begin(node);
-          double *const      rest  = lower_residual.data() + begin;
-          lower.add_product(node, -1., x, rest);
-          for (unsigned int c = 0; c < space.size(node); ++c)
-            defect[c] =
-              upper_part == nullptr ? rest[c] : rest[c] - upper_part[begin + c];
-          set_from_defect(node, x);
-        }
+    const auto relax = [&](const unsigned int node) {
+      const unsigned int begin = space.begin(node);
+      double *const      rest  = lower_residual.data() + begin;
+      lower.add_product(node, -1., x, rest);
+      for (unsigned int c = 0; c < space.size(node); ++c)
+        defect[c] =
+          upper_part == nullptr ? rest[c] : rest[c] - upper_part[begin + c];
+      set_from_defect(node, x);
     };
     exchange.receive(x, OrderedExchange::Neighbours::earlier);
-    relax(0, n_first);
+    visit_forwards(0, n_first, relax);
     exchange.send(x, OrderedExchange::Neighbours::later);
-    relax(n_first, order.size());
+    visit_forwards(n_first, order.size(), relax);
   }
 
 
@@ -213,20 +244,16 @@ namespace stickslip
   void
   BlockGaussSeidel::sweep_backwards(std::vector<double> &x) const
   {
-    const auto relax = [&](const unsigned int first, const unsigned int end) {
-      for (unsigned int k = end; k-- > first;)
-        {
-          const unsigned int node = order[k];
-          std::copy_n(lower_residual.begin() + space.begin(node),
-                      space.size(node),
-                      defect.begin());
-          upper.add_product(node, -1., x, defect.data());
-          set_from_defect(node, x);
-        }
+    const auto relax = [&](const unsigned int node) {
+      std::copy_n(lower_residual.begin() + space.begin(node),
+                  space.size(node),
+                  defect.begin());
+      upper.add_product(node, -1., x, defect.data());
+      set_from_defect(node, x);
     };
-    relax(n_first, order.size());
+    visit_backwards(n_first, order.size(), relax);
     exchange.receive(x, OrderedExchange::Neighbours::later);
-    relax(0, n_first);
+    visit_backwards(0, n_first, relax);
     exchange.send(x, OrderedExchange::Neighbours::earlier);
   }
 
@@ -245,8 +272,9 @@ namespace stickslip
     residual.resize(lower_residual.size());
     for (unsigned int i = 0; i < residual.size(); ++i)
       residual[i] = b[i] - lower_residual[i];
-    for (const unsigned int node : order)
+    visit_forwards(0, order.size(), [&](const unsigned int node) {
       lower.add_product(node, -1., x, residual.data() + space.begin(node));
+    });
   }
 
 
@@ -260,8 +288,9 @@ namespace stickslip
     exchange.receive(x, OrderedExchange::Neighbours::later);
     // U x before the sweep, which would read U against its order
     upper_part.assign(lower_residual.size(), 0.);
-    for (auto node = order.rbegin(); node != order.rend(); ++node)
-      upper.add_product(*node, 1., x, upper_part.data() + space.begin(*node));
+    visit_backwards(0, order.size(), [&](const unsigned int node) {
+      upper.add_product(node, 1., x, upper_part.data() + space.begin(node));
+    });
     sweep_forwards(x, b, upper_part.data());
     sweep_backwards(x);
   }

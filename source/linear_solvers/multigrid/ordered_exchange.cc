@@ -101,6 +101,20 @@ namespace stickslip
 
 
   void
+  OrderedExchange::progress() const
+  {
+    for (Outgoing &message : outgoing)
+      {
+        int       is_sent;
+        const int error =
+          MPI_Test(&message.request, &is_sent, MPI_STATUS_IGNORE);
+        AssertThrowMPI(error);
+      }
+  }
+
+
+
+  void
   OrderedExchange::receive(std::vector<double> &x, const Neighbours from) const
   {
     for (const Incoming &message : incoming)

@@ -85,6 +85,19 @@ namespace stickslip
     copy_triangles(const BlockMatrix              &A,
                    const std::vector<std::size_t> &diagonals);
 
+    /// The nodes [first, end) of the order, while messages get on.
+    template <typename Visitor>
+    void
+    visit_forwards(const unsigned int first,
+                   const unsigned int end,
+                   const Visitor     &visit) const;
+
+    template <typename Visitor>
+    void
+    visit_backwards(const unsigned int first,
+                    const unsigned int end,
+                    const Visitor     &visit) const;
+
     /// (D + L) x1 = b - @p upper_part, which leaves lower_residual. nullptr
     /// is zero.
     void

@@ -44,6 +44,12 @@ namespace stickslip
     void
     send(const std::vector<double> &x, const Neighbours to) const;
 
+    /// Lets messages get on: MPI may send those above a few kilobytes only
+    /// while it is called. To be called now and then in long work, or
+    /// neighbours wait for its end.
+    void
+    progress() const;
+
     /// Waits for what some neighbours send, and writes it to the ghosts of @p
     /// x.
     void
