@@ -109,18 +109,21 @@ namespace stickslip
         for (auto k = part.begin[row]; k < part.end[row]; ++k)
           n_values += matrix.block_width(k) * matrix.height(row);
       }
-    values.reserve(n_values);
+    values.resize(n_values);
     first_unknowns.reserve(n_blocks);
     widths.reserve(n_blocks);
+    float *value = values.data();
     for (const unsigned int row : order)
       {
         const unsigned int height = matrix.height(row);
         const auto         begin = part.begin[row], end = part.end[row];
-        rows[row]           = {values.size(),
-                               widths.size(),
-                               static_cast<unsigned int>(end - begin),
-                               height};
-        unsigned int column = 0;
+        rows[row] = {static_cast<std::size_t>(value - values.data()),
+                     widths.size(),
+                     static_cast<unsigned int>(end - begin),
+                     height};
+        const unsigned int  stride = matrix.width(row);
+        const double *const panel  = matrix.panel(row);
+        unsigned int        column = 0;
         for (auto k = matrix.column_begin(row); k < begin; ++k)
           column += matrix.block_width(k);
         for (auto k = begin; k < end; ++k)
@@ -131,11 +134,9 @@ namespace stickslip
             for (const auto last = column + widths.back(); column < last;
                  ++column)
               for (unsigned int r = 0; r < height; ++r)
-                values.push_back(
-                  matrix.panel(row)[r * matrix.width(row) + column]);
+                *value++ = panel[r * stride + column];
           }
       }
-    values.resize(values.size() + padding, 0.F);
   }
 
 

@@ -89,29 +89,46 @@ namespace stickslip
 
 
 
-    /// Adds @p part, the columns of which are those of @p pattern, to row
-    /// @p row of the result.
+    /// Adds the transposed of the block @p a of P times @p product, its row of
+    /// A P, to row @p row of the result. Rows of P begin @p a_stride apart.
+    template <typename Number>
     void
-    add_to_row(const std::vector<double> &part,
-               const RowPattern          &pattern,
-               const NodeSpace           &space,
-               const unsigned int         row,
-               BlockRows<double>         &result)
+    add_to_row(const Number      *a,
+               const unsigned int a_stride,
+               const unsigned int n_inner,
+               const ProductRow  &product,
+               const NodeSpace   &space,
+               const unsigned int row,
+               BlockRows<double> &result)
     {
-      const unsigned int height = space.size(row), width = result.width(row),
-                         part_width = part.size() / height;
-      auto    k                     = result.column_begins[row];
-      double *position              = result.panel(row);
-      for (const unsigned int node : pattern.nodes)
+      const std::vector<unsigned int> &nodes  = product.pattern.nodes;
+      const unsigned int               width  = result.width(row);
+      auto                             k      = result.column_begins[row];
+      double                          *target = result.panel(row);
+      for (unsigned int i = 0; i < nodes.size();)
         {
-          for (; result.columns[k] != space.global(node); ++k)
-            position += result.widths[k];
-          add_block(part.data() + pattern.offset(node),
-                    part_width,
-                    height,
-                    result.widths[k],
-                    position,
-                    width);
+          for (; result.columns[k] != space.global(nodes[i]); ++k)
+            target += result.widths[k];
+          // blocks that are side by side in the result, too
+          const unsigned int offset = product.pattern.offset(nodes[i]);
+          unsigned int       n      = 0;
+          do
+            {
+              n += result.widths[k++];
+              ++i;
+          } while (i < nodes.size() &&
+                   result.columns[k] == space.global(nodes[i]));
+          add_panel_product(a,
+                            1,
+                            a_stride,
+                            space.size(row),
+                            n_inner,
+                            product.values.data() + offset,
+                            product.width,
+                            n,
+                            target,
+                            width);
+          target += n;
         }
     }
   } // namespace
@@ -177,32 +194,18 @@ namespace stickslip
     const BlockRows<Number> P     = local_rows(prolongation, A.column_space());
     const NodeSpace         space = seen_space(coarse, P);
     const std::vector<unsigned int> columns = local_columns(P, space);
-    BlockRows<double>   result = galerkin_pattern(A, P, columns, space);
-    ProductRow          product(space);
-    std::vector<double> transposed, part;
+    BlockRows<double> result = galerkin_pattern(A, P, columns, space);
+    ProductRow        product(space);
     for (unsigned int row = 0; row < A.n_rows(); ++row)
       {
         product.compute(A, P, columns, row);
-        const unsigned int height = A.height(row), stride = P.width(row);
-        const Number      *block = P.panel(row);
+        const unsigned int stride = P.width(row);
+        const Number      *block  = P.panel(row);
         for (auto l = P.column_begins[row]; l < P.column_begins[row + 1]; ++l)
           {
-            const unsigned int n = P.widths[l];
-            transposed.resize(n * height);
-            for (unsigned int i = 0; i < n; ++i)
-              for (unsigned int r = 0; r < height; ++r)
-                transposed[i * height + r] = block[r * stride + i];
-            block += n;
-            part.resize(n * product.width);
-            multiply_panel(transposed.data(),
-                           height,
-                           n,
-                           height,
-                           product.values.data(),
-                           product.width,
-                           product.width,
-                           part.data());
-            add_to_row(part, product.pattern, space, columns[l], result);
+            add_to_row(
+              block, stride, A.height(row), product, space, columns[l], result);
+            block += P.widths[l];
           }
       }
     return sum_to_owners(std::move(result), space);

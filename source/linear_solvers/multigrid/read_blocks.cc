@@ -121,12 +121,15 @@ namespace stickslip
             rows.widths.push_back(width);
           }
         rows.end_row(height);
+        rows.allocate();
+        Number *value = rows.panel(rows.n_rows() - 1);
         for (unsigned int r = 0; r < height; ++r)
           for (const unsigned int place : places)
             {
               const double *const part =
                 entries.data() + (blocks[place] * height + r) * width;
-              rows.values.insert(rows.values.end(), part, part + width);
+              for (unsigned int c = 0; c < width; ++c)
+                *value++ = part[c];
             }
         for (const unsigned int place : places)
           blocks[place] = numbers::invalid_unsigned_int;

@@ -9,28 +9,22 @@
 namespace stickslip
 {
   /**
-   * product = a b for a panel b. Rows of a and b begin @p a_stride and
-   * @p b_stride apart, those of the product have no gaps.
+   * sum += a b for a panel b, where a(i, k) is a[i * a_row + k * a_column].
+   * Rows
+   * of b and of the sum begin @p b_stride and @p sum_stride apart.
    */
+  template <typename Coefficient, typename Number>
   void
-  multiply_panel(const double      *a,
-                 const unsigned int a_stride,
-                 const unsigned int n_rows,
-                 const unsigned int n_inner,
-                 const double      *b,
-                 const unsigned int b_stride,
-                 const unsigned int n_columns,
-                 double            *product);
-
-  void
-  multiply_panel(const double      *a,
-                 const unsigned int a_stride,
-                 const unsigned int n_rows,
-                 const unsigned int n_inner,
-                 const float       *b,
-                 const unsigned int b_stride,
-                 const unsigned int n_columns,
-                 double            *product);
+  add_panel_product(const Coefficient *a,
+                    const unsigned int a_row,
+                    const unsigned int a_column,
+                    const unsigned int n_rows,
+                    const unsigned int n_inner,
+                    const Number      *b,
+                    const unsigned int b_stride,
+                    const unsigned int n_columns,
+                    double            *sum,
+                    const unsigned int sum_stride);
 
 
 
@@ -119,9 +113,6 @@ namespace stickslip
     RowPattern          pattern;
     unsigned int        width = 0;
     std::vector<double> values; ///< a panel
-
-  private:
-    std::vector<double> part;
   };
 } // namespace stickslip
 
