@@ -160,7 +160,6 @@ namespace stickslip
     u_old.reinit(dofs.owned, needed, communicator);
     u_old = x_old.block(0);
     constraints->invalidate();
-    sparsity->forget_couplings();
   }
 
 

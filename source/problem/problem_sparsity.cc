@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -45,6 +46,48 @@ namespace stickslip
         couplings.emplace_back(i, pair.patch->face(m).id);
       return couplings;
     }
+
+
+
+    /// The faces of a patch, by the nodes that they share.
+    template <int dim>
+    class Neighbours
+    {
+    public:
+      explicit Neighbours(const MasterPatch<dim> &patch)
+        : patch(patch)
+      {
+        for (unsigned int f = 0; f < patch.n_faces(); ++f)
+          visit_nodes(f, [&](const auto node) { faces_at[node].push_back(f); });
+      }
+
+      /// Visits the faces that share a node with face @p f, some more than
+      /// once.
+      template <typename Visitor>
+      void
+      visit(const unsigned int f, const Visitor &visitor) const
+      {
+        visit_nodes(f, [&](const auto node) {
+          for (const unsigned int neighbour : faces_at.at(node))
+            visitor(neighbour);
+        });
+      }
+
+    private:
+      const MasterPatch<dim> &patch;
+      /// by the first displacement of a node
+      std::unordered_map<types::global_dof_index, std::vector<unsigned int>>
+        faces_at;
+
+      template <typename Visitor>
+      void
+      visit_nodes(const unsigned int f, const Visitor &visitor) const
+      {
+        const SurfaceFace<dim> &face = patch.face(f);
+        for (unsigned int i = 0; i < face.n_nodes; ++i)
+          visitor(face.dofs[i * dim]);
+      }
+    };
 
 
 
@@ -110,16 +153,6 @@ namespace stickslip
 
 
   template <int dim>
-  void
-  ProblemSparsity<dim>::forget_couplings()
-  {
-    known_couplings.clear();
-    is_outdated = true;
-  }
-
-
-
-  template <int dim>
   bool
   ProblemSparsity<dim>::couplings_are_known()
   {
@@ -136,14 +169,61 @@ namespace stickslip
 
 
   template <int dim>
+  void
+  ProblemSparsity<dim>::drop_distant_couplings()
+  {
+    const auto &pairs = contact.contact_pairs();
+    for (auto coupling = known_couplings.begin();
+         coupling != known_couplings.end();)
+      {
+        const auto [p, place, master] = *coupling;
+        const MasterPatch<dim> &patch = *pairs[p]->patch;
+        if (patch.index_of(master) < patch.n_faces())
+          ++coupling;
+        else
+          coupling = known_couplings.erase(coupling);
+      }
+  }
+
+
+
+  template <int dim>
+  void
+  ProblemSparsity<dim>::add_couplings_nearby()
+  {
+    const auto &pairs = contact.contact_pairs();
+    for (unsigned int p = 0; p < pairs.size(); ++p)
+      {
+        const MasterPatch<dim> &patch = *pairs[p]->patch;
+        const Neighbours<dim>   neighbours(patch);
+        for (const auto &point : pairs[p]->points)
+          if (point.pairing.paired)
+            for (const auto &[place, master] : couplings_of(*pairs[p], point))
+              neighbours.visit(
+                patch.index_of(master), [&](const unsigned int f) {
+                  known_couplings.emplace(p, place, patch.face(f).id);
+                });
+      }
+  }
+
+
+
+  template <int dim>
   bool
   ProblemSparsity<dim>::update(const Constraints     &constraints,
                                LA::BlockSparseMatrix &matrix)
   {
     // Couplings are only ever added while the patches stay the same, so a node
-    // that hops between facets costs one rebuild, not one per hop.
-    if (couplings_are_known() && !is_outdated)
+    // that hops between facets costs one rebuild, not one per hop. Where nodes
+    // do hop, more of them will: there is room for the facets around then.
+    const bool are_known = couplings_are_known();
+    if (are_known && !is_outdated)
       return false;
+    drop_distant_couplings();
+    has_hopped = has_hopped || !(are_known || is_first);
+    if (has_hopped)
+      add_couplings_nearby();
+    is_first    = false;
     is_outdated = false;
     matrix.clear(); // not two of them at a time
     const auto                 &multipliers = contact.multipliers();

@@ -23,10 +23,6 @@ namespace stickslip
                     const ContactAssembler<dim> &contact,
                     const MPI_Comm              &communicator);
 
-    /// The master patches changed: the pattern is built anew.
-    void
-    forget_couplings();
-
     /// Other degrees of freedom are constrained: the pattern is built anew.
     void
     invalidate()
@@ -47,9 +43,20 @@ namespace stickslip
     /// Pair, slave face or mortar node, master face.
     std::set<std::tuple<unsigned int, unsigned int, FaceId>> known_couplings;
     bool                                                     is_outdated = true;
+    bool is_first   = true;  ///< no pattern yet
+    bool has_hopped = false; ///< points have met other facets than before
 
+    /// Adds those of the points. Collective.
     bool
     couplings_are_known();
+
+    /// Removes those with facets that are no longer in the patches.
+    void
+    drop_distant_couplings();
+
+    /// Adds those with the neighbours of the facets that points have now.
+    void
+    add_couplings_nearby();
   };
 } // namespace stickslip
 
