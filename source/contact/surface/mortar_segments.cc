@@ -263,14 +263,14 @@ namespace stickslip
                     p += quadrature.point(q)[d] * (simplex[d + 1] - simplex[0]);
                   SegmentPoint<dim> point;
                   point.master = master;
-                  point.eta    = on_master.at(p);
-                  point.xi     = on_slave.at(p);
-                  if (!find_above(p,
-                                  plane,
-                                  opposite.positions,
-                                  point.eta,
-                                  values,
-                                  area_ratio) ||
+                  on_slave.find(p, point.xi);
+                  if (!(on_master.find(p, point.eta) ||
+                        find_above(p,
+                                   plane,
+                                   opposite.positions,
+                                   point.eta,
+                                   values,
+                                   area_ratio)) ||
                       !find_above(p,
                                   plane,
                                   slave.positions,
@@ -341,16 +341,15 @@ namespace stickslip
                   if constexpr (dim == 3)
                     end.share = (p - cell[edge]).norm() /
                                 (cell[next] - cell[edge]).norm();
-                  end.eta = eta.at(p);
-                  end.xi  = xi.at(p);
                   for (unsigned int d = 0; d < dim - 1; ++d)
                     end.outward += border.outward[d] * plane.e[d];
-                  if (!find_above(p,
-                                  plane,
-                                  opposite.positions,
-                                  end.eta,
-                                  values,
-                                  area_ratio) ||
+                  xi.find(p, end.xi);
+                  if (!(eta.find(p, end.eta) || find_above(p,
+                                                           plane,
+                                                           opposite.positions,
+                                                           end.eta,
+                                                           values,
+                                                           area_ratio)) ||
                       !find_above(
                         p, plane, slave.positions, end.xi, values, area_ratio))
                     continue;

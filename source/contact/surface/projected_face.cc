@@ -107,25 +107,71 @@ namespace stickslip
                                     const ProjectedFace<dim> &face,
                                     const unsigned int        cell)
     : corner(face.cells[cell][0])
-    , xi(shape.node(shape.cells()[cell].corners[0]))
+    , first(shape.node(shape.cells()[cell].corners[0]))
+    , is_whole_face(shape.degree() == 1)
   {
     const auto        &corners   = shape.cells()[cell].corners;
     const unsigned int n_corners = corners.size();
-    Tensor<2, dim - 1> in_plane, parametric;
     for (unsigned int d = 0; d < dim - 1; ++d)
       {
         const unsigned int k = d == 0 ? 1 : n_corners - 1;
         for (unsigned int i = 0; i < dim - 1; ++i)
           {
-            in_plane[i][d]   = face.cells[cell][k][i] - corner[i];
-            parametric[i][d] = shape.node(corners[k])[i] - xi[i];
+            edges[i][d]  = face.cells[cell][k][i] - corner[i];
+            extent[i][d] = shape.node(corners[k])[i] - first[i];
           }
       }
-    if (determinant(in_plane) != 0.)
-      slope = parametric * invert(in_plane);
-    else
-      xi = shape.cells()[cell].centre;
+    if (determinant(edges) == 0.)
+      {
+        first         = shape.cells()[cell].centre;
+        extent        = 0.;
+        is_whole_face = false;
+        return;
+      }
+    inverse_edges = invert(edges);
+    if (n_corners == 4)
+      twist = (face.cells[cell][2] - face.cells[cell][1]) -
+              (face.cells[cell][3] - corner);
   }
+
+
+
+  template <int dim>
+  bool
+  ParametricMap<dim>::find(const Point<dim - 1> &p, Point<dim - 1> &xi) const
+  {
+    Tensor<1, dim - 1> s        = inverse_edges * (p - corner);
+    bool               is_exact = is_whole_face;
+    if constexpr (dim == 3)
+      if (twist != Tensor<1, 2>())
+        {
+          constexpr unsigned int most_iterations = 8;
+          constexpr double       exact           = 1e-8; // squared by a step
+          Tensor<1, 2>           step;
+          step[0] = 1.;
+          for (unsigned int i = 0; i < most_iterations && step.norm() > exact;
+               ++i)
+            {
+              const Tensor<1, 2> distance =
+                (p - corner) - edges * s - s[0] * s[1] * twist;
+              Tensor<2, 2> slope = edges;
+              for (unsigned int c = 0; c < 2; ++c)
+                {
+                  slope[c][0] += s[1] * twist[c];
+                  slope[c][1] += s[0] * twist[c];
+                }
+              if (determinant(slope) == 0.)
+                break;
+              step = invert(slope) * distance;
+              s += step;
+            }
+          is_exact = is_exact && step.norm() <= exact;
+        }
+    xi = first + extent * s;
+    return is_exact;
+  }
+
+
 
 #define INSTANTIATE(dim)                                                      \
   template class ParametricMap<dim>;                                          \
