@@ -20,17 +20,28 @@ namespace stickslip
     /// the sides opposite. Of the lowest degree, so that the segments' points
     /// are exact for the integrals with it.
     template <int dim>
-    double
-    nearness(const FaceShape<dim> &shape,
-             const unsigned int    j,
-             const Point<dim - 1> &xi)
+    class Nearness
     {
-      const auto distances = distances_to_sides(shape, xi);
-      double     result    = 1.;
-      for (const unsigned int side : sides_of_node(shape, j))
-        result *= 1. - distances[side];
-      return result;
-    }
+    public:
+      Nearness(const FaceShape<dim> &shape, const unsigned int j)
+        : shape(shape)
+        , sides(sides_of_node(shape, j))
+      {}
+
+      double
+      operator()(const Point<dim - 1> &xi) const
+      {
+        const auto distances = distances_to_sides(shape, xi);
+        double     result    = 1.;
+        for (const unsigned int side : sides)
+          result *= 1. - distances[side];
+        return result;
+      }
+
+    private:
+      const FaceShape<dim>           &shape;
+      const std::vector<unsigned int> sides;
+    };
 
 
 
@@ -57,9 +68,10 @@ namespace stickslip
       std::vector<double>         weights, N;
       std::vector<Tensor<1, dim>> x_m;
       double                      sum = 0.;
+      const Nearness<dim>         nearness(shape, j);
       for (const auto &point : segments.points)
         {
-          weights.push_back(point.weight * nearness(shape, j, point.xi));
+          weights.push_back(point.weight * nearness(point.xi));
           shape.evaluate_values(point.eta, N);
           x_m.push_back(interpolate<dim>(
             N, patch.configuration(segments.masters[point.master]).positions));
@@ -114,7 +126,7 @@ namespace stickslip
                   const FaceSegments<dim>                &segments,
                   const Opposite<dim>                    &opposite) const
       {
-        const unsigned int       j = around.displacement;
+        const Nearness<dim>      nearness(shape, around.displacement);
         const PartnerMotion<dim> motion(shape, slave);
         TangentDerivatives<dim>  D_S;
         D_S.fill(std::vector<Tensor<1, dim>>(n_columns));
@@ -131,7 +143,7 @@ namespace stickslip
               }
             motion.evaluate(point, patch.configuration(m).positions, partner);
             const auto weights =
-              weights_at(point.xi, j, opposite, point.weight);
+              weights_at(point.xi, nearness, opposite, point.weight);
             for (unsigned int d = 0; d < dim - 1; ++d)
               for (unsigned int k = 0; k < shape.n_nodes(); ++k)
                 for (unsigned int c = 0; c < dim; ++c)
@@ -149,7 +161,7 @@ namespace stickslip
               }
           }
         if (partners_move)
-          add_ends(around, motion, segments, opposite, D_S);
+          add_ends(around, motion, segments, nearness, opposite, D_S);
         return D_S;
       }
 
@@ -174,11 +186,11 @@ namespace stickslip
 
       Tensor<1, dim - 1>
       weights_at(const Point<dim - 1> &xi,
-                 const unsigned int    j,
+                 const Nearness<dim>  &nearness,
                  const Opposite<dim>  &opposite,
                  const double          area) const
       {
-        return (area * nearness(shape, j, xi)) * (xi - opposite.mean_xi);
+        return (area * nearness(xi)) * (xi - opposite.mean_xi);
       }
 
       /// What the motion of the borders changes where the master ends.
@@ -186,6 +198,7 @@ namespace stickslip
       add_ends(const typename MortarNode<dim>::Around &around,
                const PartnerMotion<dim>               &motion,
                const FaceSegments<dim>                &segments,
+               const Nearness<dim>                    &nearness,
                const Opposite<dim>                    &opposite,
                TangentDerivatives<dim>                &D_S) const
       {
@@ -204,8 +217,7 @@ namespace stickslip
             shape.evaluate_values(end.eta, N_master);
             const Tensor<1, dim> x =
               interpolate<dim>(N_master, positions) - opposite.mean_x;
-            const auto weights =
-              weights_at(end.xi, around.displacement, opposite, 1.);
+            const auto weights = weights_at(end.xi, nearness, opposite, 1.);
             for (unsigned int d = 0; d < dim - 1; ++d)
               for (unsigned int k = 0; k < columns.size(); ++k)
                 D_S[d][columns[k]] += (weights[d] * gain[k]) * x;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace stickslip
 {
@@ -125,17 +126,20 @@ namespace stickslip
 
 
   template <int dim>
-  std::vector<double>
+  SideDistances<dim>
   distances_to_sides(const FaceShape<dim> &shape, const Point<dim - 1> &xi)
   {
-    std::vector<double> distances;
+    SideDistances<dim> distances;
     for (unsigned int d = 0; d < dim - 1; ++d)
-      distances.push_back(xi[d]);
+      {
+        distances[d]           = xi[d];
+        distances[dim - 1 + d] = 1. - xi[d];
+      }
     if (shape.is_triangle())
-      distances.push_back(1. - xi[0] - xi[dim - 2]);
-    else
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        distances.push_back(1. - xi[d]);
+      {
+        distances[dim - 1]           = 1. - xi[0] - xi[dim - 2];
+        distances[2 * (dim - 1) - 1] = std::numeric_limits<double>::infinity();
+      }
     return distances;
   }
 
@@ -230,7 +234,7 @@ namespace stickslip
   }
 
 #define INSTANTIATE(dim)                                                                   \
-  template std::vector<double>       distances_to_sides(const FaceShape<dim> &,            \
+  template SideDistances<dim>        distances_to_sides(const FaceShape<dim> &,            \
                                                         const Point<dim - 1> &);           \
   template std::vector<unsigned int> sides_of_node(const FaceShape<dim> &,                 \
                                                    const unsigned int);                    \

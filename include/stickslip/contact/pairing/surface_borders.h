@@ -4,14 +4,20 @@
 #include <stickslip/contact/pairing/segment_search.h>
 #include <stickslip/contact/point/mortar_node.h>
 
+#include <array>
 #include <vector>
 
 namespace stickslip
 {
+  /// From each side of the reference face; a triangle has one side less, from
+  /// which everything is infinitely far.
+  template <int dim>
+  using SideDistances = std::array<double, 2 * (dim - 1)>;
+
   /// Of a point of the reference face, from each of its sides: 0 there, 1 at
   /// the nodes opposite.
   template <int dim>
-  std::vector<double>
+  SideDistances<dim>
   distances_to_sides(const FaceShape<dim> &shape, const Point<dim - 1> &xi);
 
   /// The sides of the face that its node @p j lies on, as distances_to_sides()
