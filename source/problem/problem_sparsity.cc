@@ -1,126 +1,17 @@
 #include <stickslip/problem/problem_sparsity.h>
 
-#include <deal.II/base/mpi.h>
+#include <stickslip/base/over_ranks.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/sparsity_tools.h>
 
 #include <algorithm>
-#include <tuple>
-#include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace stickslip
 {
   namespace
   {
-    /// A mortar node, or a slave face, and a master face that it couples with.
-    using PlaceAndMaster = std::pair<unsigned int, FaceId>;
-
-    using Coupling = std::tuple<unsigned int, unsigned int, FaceId>;
-
-
-
-    bool
-    is_coupling_of(const Coupling    &coupling,
-                   const unsigned int pair,
-                   const unsigned int place)
-    {
-      const auto &[p, other_place, id] = coupling;
-      return p == pair && other_place == place;
-    }
-
-
-
-    template <int dim>
-    std::vector<PlaceAndMaster>
-    couplings_of(const ContactPair<dim> &pair, const ContactPoint<dim> &point)
-    {
-      if (!pair.mortar)
-        return {
-          {point.geometry.slave_face, pair.patch->face(point.pairing.face).id}};
-      std::vector<PlaceAndMaster> couplings;
-      const unsigned int          i = point.geometry.mortar_node;
-      for (const unsigned int m : pair.mortar->masters_of(i))
-        couplings.emplace_back(i, pair.patch->face(m).id);
-      return couplings;
-    }
-
-
-
-    /// The faces of a patch, by the nodes that they share.
-    template <int dim>
-    class Neighbours
-    {
-    public:
-      explicit Neighbours(const MasterPatch<dim> &patch)
-        : patch(patch)
-      {
-        for (unsigned int f = 0; f < patch.n_faces(); ++f)
-          visit_nodes(f, [&](const auto node) { faces_at[node].push_back(f); });
-      }
-
-      /// Visits the faces that share a node with face @p f, some more than
-      /// once.
-      template <typename Visitor>
-      void
-      visit(const unsigned int f, const Visitor &visitor) const
-      {
-        visit_nodes(f, [&](const auto node) {
-          for (const unsigned int neighbour : faces_at.at(node))
-            visitor(neighbour);
-        });
-      }
-
-    private:
-      const MasterPatch<dim> &patch;
-      /// by the first displacement of a node
-      std::unordered_map<types::global_dof_index, std::vector<unsigned int>>
-        faces_at;
-
-      template <typename Visitor>
-      void
-      visit_nodes(const unsigned int f, const Visitor &visitor) const
-      {
-        const SurfaceFace<dim> &face = patch.face(f);
-        for (unsigned int i = 0; i < face.n_nodes; ++i)
-          visitor(face.dofs[i * dim]);
-      }
-    };
-
-
-
-    template <int dim>
-    const SurfaceFace<dim> &
-    master_of(const Coupling &coupling, const ContactPair<dim> &pair)
-    {
-      const auto &[p, place, id] = coupling;
-      return pair.patch->face(pair.patch->index_of(id));
-    }
-
-
-
-    /// Displacements and multipliers of a mortar node (point i is node i) or a
-    /// slave face.
-    template <int dim>
-    std::vector<types::global_dof_index>
-    dofs_at(const ContactPair<dim>       &pair,
-            const unsigned int            place,
-            const types::global_dof_index n_displacements)
-    {
-      const SlaveFace<dim> &slave =
-        pair.slave_faces[pair.mortar ? pair.points[place].geometry.slave_face
-                                     : place];
-      std::vector<types::global_dof_index> dofs =
-        pair.mortar ? pair.mortar->node(place).dofs : slave.face.dofs;
-      for (const auto dof : slave.multiplier_dofs)
-        dofs.push_back(n_displacements + dof);
-      return dofs;
-    }
-
-
-
     /// @p displacements and those that @p constraints relate them to: nodes
     /// that hanging nodes of distant master faces hang on.
     IndexSet
@@ -147,64 +38,9 @@ namespace stickslip
                                         const MPI_Comm &communicator)
     : dofs(dofs)
     , contact(contact)
+    , couplings(contact)
     , communicator(communicator)
   {}
-
-
-
-  template <int dim>
-  bool
-  ProblemSparsity<dim>::couplings_are_known()
-  {
-    unsigned int n_new = 0;
-    const auto  &pairs = contact.contact_pairs();
-    for (unsigned int p = 0; p < pairs.size(); ++p)
-      for (const auto &point : pairs[p]->points)
-        if (point.pairing.paired)
-          for (const auto &[place, master] : couplings_of(*pairs[p], point))
-            n_new += known_couplings.emplace(p, place, master).second;
-    return Utilities::MPI::sum(n_new, communicator) == 0;
-  }
-
-
-
-  template <int dim>
-  void
-  ProblemSparsity<dim>::drop_distant_couplings()
-  {
-    const auto &pairs = contact.contact_pairs();
-    for (auto coupling = known_couplings.begin();
-         coupling != known_couplings.end();)
-      {
-        const auto [p, place, master] = *coupling;
-        const MasterPatch<dim> &patch = *pairs[p]->patch;
-        if (patch.index_of(master) < patch.n_faces())
-          ++coupling;
-        else
-          coupling = known_couplings.erase(coupling);
-      }
-  }
-
-
-
-  template <int dim>
-  void
-  ProblemSparsity<dim>::add_couplings_nearby()
-  {
-    const auto &pairs = contact.contact_pairs();
-    for (unsigned int p = 0; p < pairs.size(); ++p)
-      {
-        const MasterPatch<dim> &patch = *pairs[p]->patch;
-        const Neighbours<dim>   neighbours(patch);
-        for (const auto &point : pairs[p]->points)
-          if (point.pairing.paired)
-            for (const auto &[place, master] : couplings_of(*pairs[p], point))
-              neighbours.visit(
-                patch.index_of(master), [&](const unsigned int f) {
-                  known_couplings.emplace(p, place, patch.face(f).id);
-                });
-      }
-  }
 
 
 
@@ -213,17 +49,9 @@ namespace stickslip
   ProblemSparsity<dim>::update(const Constraints     &constraints,
                                LA::BlockSparseMatrix &matrix)
   {
-    // Couplings are only ever added while the patches stay the same, so a node
-    // that hops between facets costs one rebuild, not one per hop. Where nodes
-    // do hop, more of them will: there is room for the facets around then.
-    const bool are_known = couplings_are_known();
-    if (are_known && !is_outdated)
+    if (all_ranks(couplings.add_present(), communicator) && !is_outdated)
       return false;
-    drop_distant_couplings();
-    has_hopped = has_hopped || !(are_known || is_first);
-    if (has_hopped)
-      add_couplings_nearby();
-    is_first    = false;
+    couplings.begin_pattern();
     is_outdated = false;
     matrix.clear(); // not two of them at a time
     const auto                 &multipliers = contact.multipliers();
@@ -243,29 +71,8 @@ namespace stickslip
         }
     const types::global_dof_index n_u   = dofs.owned.size();
     const auto                   &pairs = contact.contact_pairs();
-    // Each master face with the nodes of its slave face; all master faces of a
-    // mortar node together.
-    std::vector<types::global_dof_index> coupled;
-    for (auto entry = known_couplings.begin(); entry != known_couplings.end();)
-      {
-        const auto [p, place, first] = *entry;
-        const ContactPair<dim> &pair = *pairs[p];
-        coupled                      = dofs_at(pair, place, n_u);
-        bool is_same_place           = true;
-        while (is_same_place)
-          {
-            const auto &master = master_of(*entry, pair).dofs;
-            coupled.insert(coupled.end(), master.begin(), master.end());
-            ++entry;
-            is_same_place = pair.mortar && entry != known_couplings.end() &&
-                            is_coupling_of(*entry, p, place);
-          }
-        // neighbouring master faces share nodes; each may be named once
-        std::sort(coupled.begin(), coupled.end());
-        coupled.erase(std::unique(coupled.begin(), coupled.end()),
-                      coupled.end());
-        constraints.add_entries_local_to_global(coupled, pattern, false);
-      }
+    for (const auto &coupled : couplings.coupled_dofs(n_u))
+      constraints.add_entries_local_to_global(coupled, pattern, false);
     // open and unpaired points have rows of their own
     for (const auto &pair : pairs)
       {

@@ -50,12 +50,6 @@ namespace stickslip
       std::memcpy(x, &lanes, sizeof(lanes));
     }
 
-    [[gnu::always_inline]] inline Lanes
-    zero()
-    {
-      return Lanes{0., 0., 0., 0.};
-    }
-
     [[gnu::always_inline]] inline double
     sum(const Lanes &lanes)
     {

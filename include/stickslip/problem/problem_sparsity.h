@@ -3,16 +3,13 @@
 
 #include <stickslip/contact/assembly/contact_assembler.h>
 
+#include <stickslip/problem/contact_couplings.h>
 #include <stickslip/problem/dof_layout.h>
-
-#include <set>
-#include <tuple>
 
 namespace stickslip
 {
   /**
-   * Sparsity pattern of the tangent: cells, and the couplings of slave and
-   * master faces that were paired since the master patches were fetched.
+   * Sparsity pattern of the tangent: cells, and what contact couples.
    */
   template <int dim>
   class ProblemSparsity
@@ -40,23 +37,8 @@ namespace stickslip
     const ContactAssembler<dim> &contact;
     const MPI_Comm               communicator;
 
-    /// Pair, slave face or mortar node, master face.
-    std::set<std::tuple<unsigned int, unsigned int, FaceId>> known_couplings;
-    bool                                                     is_outdated = true;
-    bool is_first   = true;  ///< no pattern yet
-    bool has_hopped = false; ///< points have met other facets than before
-
-    /// Adds those of the points. Collective.
-    bool
-    couplings_are_known();
-
-    /// Removes those with facets that are no longer in the patches.
-    void
-    drop_distant_couplings();
-
-    /// Adds those with the neighbours of the facets that points have now.
-    void
-    add_couplings_nearby();
+    ContactCouplings<dim> couplings;
+    bool                  is_outdated = true;
   };
 } // namespace stickslip
 

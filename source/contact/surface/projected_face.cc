@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace stickslip
 {
@@ -19,6 +20,37 @@ namespace stickslip
       axis[smallest]       = 1.;
       const Tensor<1, 3> t = axis - (axis * n) * n;
       return t / t.norm();
+    }
+
+
+
+    /// Coordinates s with edges * s + twist * s_0 s_1 = @p place, by Newton's
+    /// method from @p s; none if it does not converge.
+    std::optional<Tensor<1, 2>>
+    bilinear_inverse(const Tensor<1, 2> &place,
+                     const Tensor<2, 2> &edges,
+                     const Tensor<1, 2> &twist,
+                     Tensor<1, 2>        s)
+    {
+      constexpr unsigned int most_iterations = 8;
+      constexpr double       small_step = 1e-8; // the next one is its square
+      for (unsigned int i = 0; i < most_iterations; ++i)
+        {
+          Tensor<2, 2> slope = edges;
+          for (unsigned int c = 0; c < 2; ++c)
+            {
+              slope[c][0] += s[1] * twist[c];
+              slope[c][1] += s[0] * twist[c];
+            }
+          if (determinant(slope) == 0.)
+            return {};
+          const Tensor<1, 2> step =
+            invert(slope) * (place - edges * s - s[0] * s[1] * twist);
+          s += step;
+          if (step.norm() < small_step)
+            return s;
+        }
+      return {};
     }
   } // namespace
 
@@ -145,27 +177,11 @@ namespace stickslip
     if constexpr (dim == 3)
       if (twist != Tensor<1, 2>())
         {
-          constexpr unsigned int most_iterations = 8;
-          constexpr double       exact           = 1e-8; // squared by a step
-          Tensor<1, 2>           step;
-          step[0] = 1.;
-          for (unsigned int i = 0; i < most_iterations && step.norm() > exact;
-               ++i)
-            {
-              const Tensor<1, 2> distance =
-                (p - corner) - edges * s - s[0] * s[1] * twist;
-              Tensor<2, 2> slope = edges;
-              for (unsigned int c = 0; c < 2; ++c)
-                {
-                  slope[c][0] += s[1] * twist[c];
-                  slope[c][1] += s[0] * twist[c];
-                }
-              if (determinant(slope) == 0.)
-                break;
-              step = invert(slope) * distance;
-              s += step;
-            }
-          is_exact = is_exact && step.norm() <= exact;
+          const auto found = bilinear_inverse(p - corner, edges, twist, s);
+          if (found)
+            s = *found;
+          else
+            is_exact = false;
         }
     xi = first + extent * s;
     return is_exact;

@@ -135,7 +135,6 @@ namespace stickslip
 
 
 
-  template <>
   STICKSLIP_VECTORIZED void
   add_panel_product(const double      *a,
                     const unsigned int a_row,
@@ -162,7 +161,6 @@ namespace stickslip
 
 
 
-  template <>
   STICKSLIP_VECTORIZED void
   add_panel_product(const double      *a,
                     const unsigned int a_row,
@@ -189,7 +187,6 @@ namespace stickslip
 
 
 
-  template <>
   STICKSLIP_VECTORIZED void
   add_panel_product(const float       *a,
                     const unsigned int a_row,

@@ -78,8 +78,8 @@ namespace stickslip
                   const ProjectedFace<dim> &face,
                   const unsigned int        cell);
 
-    /// Sets @p xi of @p p, exactly for the cell. True if it is exact for the
-    /// face.
+    /// Sets @p xi of @p p. True if it is exact; otherwise the face has more
+    /// nodes than the cell, or the cell is badly distorted.
     bool
     find(const Point<dim - 1> &p, Point<dim - 1> &xi) const;
 

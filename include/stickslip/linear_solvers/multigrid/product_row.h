@@ -8,19 +8,39 @@
 
 namespace stickslip
 {
-  /**
-   * sum += a b for a panel b, where a(i, k) is a[i * a_row + k * a_column].
-   * Rows
-   * of b and of the sum begin @p b_stride and @p sum_stride apart.
-   */
-  template <typename Coefficient, typename Number>
+  /// sum += a b for a panel b, where a(i, k) is a[i * a_row + k * a_column].
+  /// Rows of b and of the sum begin @p b_stride and @p sum_stride apart.
   void
-  add_panel_product(const Coefficient *a,
+  add_panel_product(const double      *a,
                     const unsigned int a_row,
                     const unsigned int a_column,
                     const unsigned int n_rows,
                     const unsigned int n_inner,
-                    const Number      *b,
+                    const float       *b,
+                    const unsigned int b_stride,
+                    const unsigned int n_columns,
+                    double            *sum,
+                    const unsigned int sum_stride);
+
+  void
+  add_panel_product(const double      *a,
+                    const unsigned int a_row,
+                    const unsigned int a_column,
+                    const unsigned int n_rows,
+                    const unsigned int n_inner,
+                    const double      *b,
+                    const unsigned int b_stride,
+                    const unsigned int n_columns,
+                    double            *sum,
+                    const unsigned int sum_stride);
+
+  void
+  add_panel_product(const float       *a,
+                    const unsigned int a_row,
+                    const unsigned int a_column,
+                    const unsigned int n_rows,
+                    const unsigned int n_inner,
+                    const double      *b,
                     const unsigned int b_stride,
                     const unsigned int n_columns,
                     double            *sum,
