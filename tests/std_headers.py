@@ -58,7 +58,7 @@ NAMES_OF_HEADERS = {
     "string_view": "string_view",
     "system_error filesystem": "error_code",
     "system_error charconv": "errc",
-    "tuple": "apply get_tuple make_tuple tie tuple",
+    "tuple": "apply get get_tuple make_tuple tie tuple",
     "type_traits": "conditional_t decay_t enable_if_t false_type integral_constant invoke_result_t is_same is_same_v true_type"
                    " underlying_type_t",
     "typeinfo": "type_info",
