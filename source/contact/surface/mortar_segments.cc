@@ -263,14 +263,14 @@ namespace stickslip
                     p += quadrature.point(q)[d] * (simplex[d + 1] - simplex[0]);
                   SegmentPoint<dim> point;
                   point.master = master;
-                  on_slave.find(p, point.xi);
-                  if (!(on_master.find(p, point.eta) ||
-                        find_above(p,
-                                   plane,
-                                   opposite.positions,
-                                   point.eta,
-                                   values,
-                                   area_ratio)) ||
+                  point.xi     = on_slave.at(p);
+                  point.eta    = on_master.at(p);
+                  if (!find_above(p,
+                                  plane,
+                                  opposite.positions,
+                                  point.eta,
+                                  values,
+                                  area_ratio) ||
                       !find_above(p,
                                   plane,
                                   slave.positions,
@@ -343,13 +343,14 @@ namespace stickslip
                                 (cell[next] - cell[edge]).norm();
                   for (unsigned int d = 0; d < dim - 1; ++d)
                     end.outward += border.outward[d] * plane.e[d];
-                  xi.find(p, end.xi);
-                  if (!(eta.find(p, end.eta) || find_above(p,
-                                                           plane,
-                                                           opposite.positions,
-                                                           end.eta,
-                                                           values,
-                                                           area_ratio)) ||
+                  end.xi  = xi.at(p);
+                  end.eta = eta.at(p);
+                  if (!find_above(p,
+                                  plane,
+                                  opposite.positions,
+                                  end.eta,
+                                  values,
+                                  area_ratio) ||
                       !find_above(
                         p, plane, slave.positions, end.xi, values, area_ratio))
                     continue;

@@ -140,7 +140,6 @@ namespace stickslip
                                     const unsigned int        cell)
     : corner(face.cells[cell][0])
     , first(shape.node(shape.cells()[cell].corners[0]))
-    , is_whole_face(shape.degree() == 1)
   {
     const auto        &corners   = shape.cells()[cell].corners;
     const unsigned int n_corners = corners.size();
@@ -155,9 +154,8 @@ namespace stickslip
       }
     if (determinant(edges) == 0.)
       {
-        first         = shape.cells()[cell].centre;
-        extent        = 0.;
-        is_whole_face = false;
+        first  = shape.cells()[cell].centre;
+        extent = 0.;
         return;
       }
     inverse_edges = invert(edges);
@@ -169,22 +167,14 @@ namespace stickslip
 
 
   template <int dim>
-  bool
-  ParametricMap<dim>::find(const Point<dim - 1> &p, Point<dim - 1> &xi) const
+  Point<dim - 1>
+  ParametricMap<dim>::at(const Point<dim - 1> &p) const
   {
-    Tensor<1, dim - 1> s        = inverse_edges * (p - corner);
-    bool               is_exact = is_whole_face;
+    Tensor<1, dim - 1> s = inverse_edges * (p - corner);
     if constexpr (dim == 3)
       if (twist != Tensor<1, 2>())
-        {
-          const auto found = bilinear_inverse(p - corner, edges, twist, s);
-          if (found)
-            s = *found;
-          else
-            is_exact = false;
-        }
-    xi = first + extent * s;
-    return is_exact;
+        s = bilinear_inverse(p - corner, edges, twist, s).value_or(s);
+    return first + extent * s;
   }
 
 

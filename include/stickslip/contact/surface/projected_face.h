@@ -69,7 +69,8 @@ namespace stickslip
 
   /// The map from a cell of a projected face to parametric coordinates that
   /// takes the corners to their nodes: that of the face itself, if it has no
-  /// other nodes. Collapsed cells go to their centre.
+  /// other nodes. Collapsed cells go to their centre, in badly distorted ones
+  /// three corners count.
   template <int dim>
   class ParametricMap
   {
@@ -78,10 +79,8 @@ namespace stickslip
                   const ProjectedFace<dim> &face,
                   const unsigned int        cell);
 
-    /// Sets @p xi of @p p. True if it is exact; otherwise the face has more
-    /// nodes than the cell, or the cell is badly distorted.
-    bool
-    find(const Point<dim - 1> &p, Point<dim - 1> &xi) const;
+    Point<dim - 1>
+    at(const Point<dim - 1> &p) const;
 
   private:
     /// With coordinates s of the corners at 0 and 1, places in the plane are
@@ -90,7 +89,6 @@ namespace stickslip
     Point<dim - 1>     corner, first;
     Tensor<2, dim - 1> edges, inverse_edges, extent;
     Tensor<1, dim - 1> twist; ///< zero for intervals and triangles
-    bool               is_whole_face;
   };
 
   template <int dim>
