@@ -6,48 +6,45 @@
 
 namespace stickslip
 {
-  namespace
+  /// The faces of a patch, by the nodes that they share.
+  template <int dim>
+  class PatchNeighbours
   {
-    /// The faces of a patch, by the nodes that they share.
-    template <int dim>
-    class Neighbours
+  public:
+    explicit PatchNeighbours(const MasterPatch<dim> &patch)
+      : patch(patch)
     {
-    public:
-      explicit Neighbours(const MasterPatch<dim> &patch)
-        : patch(patch)
-      {
-        for (unsigned int f = 0; f < patch.n_faces(); ++f)
-          visit_nodes(f, [&](const auto node) { faces_at[node].push_back(f); });
-      }
+      for (unsigned int f = 0; f < patch.n_faces(); ++f)
+        visit_nodes(f, [&](const auto node) { faces_at[node].push_back(f); });
+    }
 
-      /// Visits the faces that share a node with face @p f, some more than
-      /// once.
-      template <typename Visitor>
-      void
-      visit(const unsigned int f, const Visitor &visitor) const
-      {
-        visit_nodes(f, [&](const auto node) {
-          for (const unsigned int neighbour : faces_at.at(node))
-            visitor(neighbour);
-        });
-      }
+    /// Visits the faces that share a node with face @p f, some more than
+    /// once.
+    template <typename Visitor>
+    void
+    visit(const unsigned int f, const Visitor &visitor) const
+    {
+      visit_nodes(f, [&](const auto node) {
+        for (const unsigned int neighbour : faces_at.at(node))
+          visitor(neighbour);
+      });
+    }
 
-    private:
-      const MasterPatch<dim> &patch;
-      /// by the first displacement of a node
-      std::unordered_map<types::global_dof_index, std::vector<unsigned int>>
-        faces_at;
+  private:
+    const MasterPatch<dim> &patch;
+    /// by the first displacement of a node
+    std::unordered_map<types::global_dof_index, std::vector<unsigned int>>
+      faces_at;
 
-      template <typename Visitor>
-      void
-      visit_nodes(const unsigned int f, const Visitor &visitor) const
-      {
-        const SurfaceFace<dim> &face = patch.face(f);
-        for (unsigned int i = 0; i < face.n_nodes; ++i)
-          visitor(face.dofs[i * dim]);
-      }
-    };
-  } // namespace
+    template <typename Visitor>
+    void
+    visit_nodes(const unsigned int f, const Visitor &visitor) const
+    {
+      const SurfaceFace<dim> &face = patch.face(f);
+      for (unsigned int i = 0; i < face.n_nodes; ++i)
+        visitor(face.dofs[i * dim]);
+    }
+  };
 
 
 
@@ -92,25 +89,22 @@ namespace stickslip
   template <int dim>
   template <typename Visitor>
   void
-  ContactCouplings<dim>::visit_present(const Visitor &visit) const
+  ContactCouplings<dim>::visit_present(const unsigned int p,
+                                       const Visitor     &visit) const
   {
-    const auto &pairs = contact.contact_pairs();
-    for (unsigned int p = 0; p < pairs.size(); ++p)
+    const ContactPair<dim> &pair = *contact.contact_pairs()[p];
+    for (const auto &point : pair.points)
       {
-        const ContactPair<dim> &pair = *pairs[p];
-        for (const auto &point : pair.points)
+        if (!point.pairing.paired)
+          continue;
+        if (!pair.mortar)
           {
-            if (!point.pairing.paired)
-              continue;
-            if (!pair.mortar)
-              {
-                visit(p, point.geometry.slave_face, point.pairing.face);
-                continue;
-              }
-            const unsigned int node = point.geometry.mortar_node;
-            for (const unsigned int m : pair.mortar->masters_of(node))
-              visit(p, node, m);
+            visit(point.geometry.slave_face, point.pairing.face);
+            continue;
           }
+        const unsigned int node = point.geometry.mortar_node;
+        for (const unsigned int master : pair.mortar->masters_of(node))
+          visit(node, master);
       }
   }
 
@@ -121,15 +115,16 @@ namespace stickslip
   ContactCouplings<dim>::add_present()
   {
     std::vector<Coupling> added;
-    visit_present([&](const auto p, const auto place, const auto master) {
-      const Coupling coupling(
-        p, place, contact.contact_pairs()[p]->patch->face(master).id);
-      const auto known = last_met.find(coupling);
-      if (known == last_met.end())
-        added.push_back(coupling);
-      else
-        known->second = n_patterns;
-    });
+    for (unsigned int p = 0; p < has_hopped.size(); ++p)
+      visit_present(p, [&](const auto place, const auto master) {
+        const Coupling coupling(
+          p, place, contact.contact_pairs()[p]->patch->face(master).id);
+        const auto known = last_met.find(coupling);
+        if (known == last_met.end())
+          added.push_back(coupling);
+        else
+          known->second = n_patterns;
+      });
     for (const auto &[p, place, id] : added)
       has_hopped[p] = has_hopped[p] || is_coupled(p, place);
     for (const Coupling &coupling : added)
@@ -172,17 +167,18 @@ namespace stickslip
   void
   ContactCouplings<dim>::make_room()
   {
-    const auto                  &pairs = contact.contact_pairs();
-    std::vector<Neighbours<dim>> neighbours;
-    for (const auto &pair : pairs)
-      neighbours.emplace_back(*pair->patch);
-    visit_present([&](const auto p, const auto place, const auto master) {
+    for (unsigned int p = 0; p < has_hopped.size(); ++p)
       if (has_hopped[p])
-        neighbours[p].visit(master, [&](const unsigned int f) {
-          last_met.try_emplace({p, place, pairs[p]->patch->face(f).id},
-                               n_patterns - 1);
-        });
-    });
+        {
+          const MasterPatch<dim>    &patch = *contact.contact_pairs()[p]->patch;
+          const PatchNeighbours<dim> neighbours(patch);
+          visit_present(p, [&](const auto place, const auto master) {
+            neighbours.visit(master, [&](const unsigned int f) {
+              last_met.try_emplace({p, place, patch.face(f).id},
+                                   n_patterns - 1);
+            });
+          });
+        }
   }
 
 

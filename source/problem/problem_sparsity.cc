@@ -38,8 +38,8 @@ namespace stickslip
                                         const MPI_Comm &communicator)
     : dofs(dofs)
     , contact(contact)
-    , couplings(contact)
     , communicator(communicator)
+    , couplings(contact)
   {}
 
 

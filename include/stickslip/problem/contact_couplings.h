@@ -51,13 +51,16 @@ namespace stickslip
     bool
     is_coupled(const unsigned int pair, const unsigned int place) const;
 
+    /// Calls @p visit with a mortar node or slave face and the number in the
+    /// patch of a master face that it meets, some more than once.
     template <typename Visitor>
     void
-    visit_present(const Visitor &visit) const;
+    visit_present(const unsigned int pair, const Visitor &visit) const;
 
     void
     drop_old();
 
+    /// For the neighbours of what is met, until the next pattern.
     void
     make_room();
   };

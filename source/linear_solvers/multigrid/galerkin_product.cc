@@ -118,16 +118,9 @@ namespace stickslip
               ++i;
           } while (i < nodes.size() &&
                    result.columns[k] == space.global(nodes[i]));
-          add_panel_product(a,
-                            1,
-                            a_stride,
-                            space.size(row),
-                            n_inner,
-                            product.values.data() + offset,
-                            product.width,
-                            n,
-                            target,
-                            width);
+          const PanelProduct panel{
+            space.size(row), n_inner, n, 1, a_stride, product.width, width};
+          panel.add(a, product.values.data() + offset, target);
           target += n;
         }
     }

@@ -43,173 +43,90 @@ namespace stickslip
               typename Coefficient,
               typename Number>
     [[gnu::always_inline]] inline void
-    add_columns(const Coefficient *a,
-                const unsigned int a_row,
-                const unsigned int a_column,
-                const unsigned int n_rows,
-                const Number      *b,
-                const unsigned int b_stride,
-                double            *sum,
-                const unsigned int sum_stride)
+    add_columns(const PanelProduct &panel,
+                const Coefficient  *a,
+                const Number       *b,
+                double             *sum)
     {
       typename Block::Lanes b_rows[n_inner];
       for (unsigned int k = 0; k < n_inner; ++k)
-        b_rows[k] = Block::load(b + k * b_stride);
-      for (unsigned int i = 0; i < n_rows; ++i)
+        b_rows[k] = Block::load(b + k * panel.b_row);
+      for (unsigned int i = 0; i < panel.n_rows; ++i)
         {
-          double *const         target = sum + i * sum_stride;
+          double *const         target = sum + i * panel.sum_row;
           typename Block::Lanes lanes  = Block::load(target);
           for (unsigned int k = 0; k < n_inner; ++k)
-            lanes += double(a[i * a_row + k * a_column]) * b_rows[k];
+            lanes +=
+              double(a[i * panel.a_row + k * panel.a_column]) * b_rows[k];
           std::memcpy(target, &lanes, sizeof(lanes));
         }
     }
 
 
 
+    /// The part of a product with @p n_inner columns of a.
     template <unsigned int n_inner, typename Coefficient, typename Number>
     [[gnu::always_inline]] inline void
-    add_inner(const Coefficient *a,
-              const unsigned int a_row,
-              const unsigned int a_column,
-              const unsigned int n_rows,
-              const Number      *b,
-              const unsigned int b_stride,
-              const unsigned int n_columns,
-              double            *sum,
-              const unsigned int sum_stride)
+    add_inner(const PanelProduct &panel,
+              const Coefficient  *a,
+              const Number       *b,
+              double             *sum)
     {
       unsigned int c = 0;
-      for (; c + 4 <= n_columns; c += 4)
-        add_columns<Quad, n_inner>(
-          a, a_row, a_column, n_rows, b + c, b_stride, sum + c, sum_stride);
-      for (; c + 2 <= n_columns; c += 2)
-        add_columns<Pair, n_inner>(
-          a, a_row, a_column, n_rows, b + c, b_stride, sum + c, sum_stride);
-      for (; c < n_columns; ++c)
-        for (unsigned int i = 0; i < n_rows; ++i)
+      for (; c + 4 <= panel.n_columns; c += 4)
+        add_columns<Quad, n_inner>(panel, a, b + c, sum + c);
+      for (; c + 2 <= panel.n_columns; c += 2)
+        add_columns<Pair, n_inner>(panel, a, b + c, sum + c);
+      for (; c < panel.n_columns; ++c)
+        for (unsigned int i = 0; i < panel.n_rows; ++i)
           for (unsigned int k = 0; k < n_inner; ++k)
-            sum[i * sum_stride + c] +=
-              double(a[i * a_row + k * a_column]) * b[k * b_stride + c];
+            sum[i * panel.sum_row + c] +=
+              double(a[i * panel.a_row + k * panel.a_column]) *
+              b[k * panel.b_row + c];
     }
 
 
 
     template <typename Coefficient, typename Number>
     [[gnu::always_inline]] inline void
-    add_panel(const Coefficient *a,
-              const unsigned int a_row,
-              const unsigned int a_column,
-              const unsigned int n_rows,
-              const unsigned int n_inner,
-              const Number      *b,
-              const unsigned int b_stride,
-              const unsigned int n_columns,
-              double            *sum,
-              const unsigned int sum_stride)
+    add_panel(const PanelProduct &panel,
+              const Coefficient  *a,
+              const Number       *b,
+              double             *sum)
     {
       unsigned int k = 0;
       // three components of a node, six modes of an aggregate
-      for (; k + 3 <= n_inner; k += 3)
-        add_inner<3>(a + k * a_column,
-                     a_row,
-                     a_column,
-                     n_rows,
-                     b + k * b_stride,
-                     b_stride,
-                     n_columns,
-                     sum,
-                     sum_stride);
-      for (; k < n_inner; ++k)
-        add_inner<1>(a + k * a_column,
-                     a_row,
-                     a_column,
-                     n_rows,
-                     b + k * b_stride,
-                     b_stride,
-                     n_columns,
-                     sum,
-                     sum_stride);
+      for (; k + 3 <= panel.n_inner; k += 3)
+        add_inner<3>(panel, a + k * panel.a_column, b + k * panel.b_row, sum);
+      for (; k < panel.n_inner; ++k)
+        add_inner<1>(panel, a + k * panel.a_column, b + k * panel.b_row, sum);
     }
   } // namespace
 
 
 
   STICKSLIP_VECTORIZED void
-  add_panel_product(const double      *a,
-                    const unsigned int a_row,
-                    const unsigned int a_column,
-                    const unsigned int n_rows,
-                    const unsigned int n_inner,
-                    const float       *b,
-                    const unsigned int b_stride,
-                    const unsigned int n_columns,
-                    double            *sum,
-                    const unsigned int sum_stride)
+  PanelProduct::add(const double *a, const float *b, double *sum) const
   {
-    add_panel(a,
-              a_row,
-              a_column,
-              n_rows,
-              n_inner,
-              b,
-              b_stride,
-              n_columns,
-              sum,
-              sum_stride);
+    add_panel(*this, a, b, sum);
   }
 
 
 
   STICKSLIP_VECTORIZED void
-  add_panel_product(const double      *a,
-                    const unsigned int a_row,
-                    const unsigned int a_column,
-                    const unsigned int n_rows,
-                    const unsigned int n_inner,
-                    const double      *b,
-                    const unsigned int b_stride,
-                    const unsigned int n_columns,
-                    double            *sum,
-                    const unsigned int sum_stride)
+  PanelProduct::add(const double *a, const double *b, double *sum) const
   {
-    add_panel(a,
-              a_row,
-              a_column,
-              n_rows,
-              n_inner,
-              b,
-              b_stride,
-              n_columns,
-              sum,
-              sum_stride);
+    add_panel(*this, a, b, sum);
   }
 
 
 
   STICKSLIP_VECTORIZED void
-  add_panel_product(const float       *a,
-                    const unsigned int a_row,
-                    const unsigned int a_column,
-                    const unsigned int n_rows,
-                    const unsigned int n_inner,
-                    const double      *b,
-                    const unsigned int b_stride,
-                    const unsigned int n_columns,
-                    double            *sum,
-                    const unsigned int sum_stride)
+  PanelProduct::add(const float *a, const double *b, double *sum) const
   {
-    add_panel(a,
-              a_row,
-              a_column,
-              n_rows,
-              n_inner,
-              b,
-              b_stride,
-              n_columns,
-              sum,
-              sum_stride);
+    add_panel(*this, a, b, sum);
   }
+
 
 
   template <typename Number>
@@ -243,16 +160,9 @@ namespace stickslip
             do
               n += P.widths[l++];
             while (l < end && pattern.offset(columns[l]) == offset + n);
-            add_panel_product(block,
-                              A.width(row),
-                              1,
-                              height,
-                              A.block_width(k),
-                              b,
-                              stride,
-                              n,
-                              values.data() + offset,
-                              width);
+            const PanelProduct panel{
+              height, A.block_width(k), n, A.width(row), 1, stride, width};
+            panel.add(block, b, values.data() + offset);
             b += n;
           }
         block += A.block_width(k);

@@ -8,43 +8,25 @@
 
 namespace stickslip
 {
-  /// sum += a b for a panel b, where a(i, k) is a[i * a_row + k * a_column].
-  /// Rows of b and of the sum begin @p b_stride and @p sum_stride apart.
-  void
-  add_panel_product(const double      *a,
-                    const unsigned int a_row,
-                    const unsigned int a_column,
-                    const unsigned int n_rows,
-                    const unsigned int n_inner,
-                    const float       *b,
-                    const unsigned int b_stride,
-                    const unsigned int n_columns,
-                    double            *sum,
-                    const unsigned int sum_stride);
+  /**
+   * sum += a b for parts of panels. a(i, k) is a[i * a_row + k * a_column], so
+   * that a may be transposed; rows of b and of the sum begin @p b_row and
+   * @p sum_row apart.
+   */
+  struct PanelProduct
+  {
+    unsigned int n_rows, n_inner, n_columns;
+    unsigned int a_row, a_column, b_row, sum_row;
 
-  void
-  add_panel_product(const double      *a,
-                    const unsigned int a_row,
-                    const unsigned int a_column,
-                    const unsigned int n_rows,
-                    const unsigned int n_inner,
-                    const double      *b,
-                    const unsigned int b_stride,
-                    const unsigned int n_columns,
-                    double            *sum,
-                    const unsigned int sum_stride);
+    void
+    add(const double *a, const float *b, double *sum) const;
 
-  void
-  add_panel_product(const float       *a,
-                    const unsigned int a_row,
-                    const unsigned int a_column,
-                    const unsigned int n_rows,
-                    const unsigned int n_inner,
-                    const double      *b,
-                    const unsigned int b_stride,
-                    const unsigned int n_columns,
-                    double            *sum,
-                    const unsigned int sum_stride);
+    void
+    add(const double *a, const double *b, double *sum) const;
+
+    void
+    add(const float *a, const double *b, double *sum) const;
+  };
 
 
 
