@@ -15,6 +15,26 @@ namespace stickslip
     /// origin: they are differences of up to four places, each rounded.
     constexpr double roundoff_of_place =
       4. * std::numeric_limits<double>::epsilon();
+
+
+
+    /// Leaves out zeros: a point at a node does not know the others of its
+    /// face, and the nodes that only normals depend on bear no force.
+    void
+    drop_zeros(std::vector<types::global_dof_index> &dofs,
+               Vector<double>                       &local)
+    {
+      unsigned int n = 0;
+      for (unsigned int i = 0; i < dofs.size(); ++i)
+        if (local[i] != 0.)
+          {
+            dofs[n]  = dofs[i];
+            local[n] = local[i];
+            ++n;
+          }
+      dofs.resize(n);
+      local.grow_or_shrink(n);
+    }
   } // namespace
 
 
@@ -271,9 +291,10 @@ namespace stickslip
         {
           const ContactEvaluation<dim> &state = this->evaluate(*pair, point);
           point.observed                      = observe(point, state);
-          const auto dofs                     = point_dofs(*pair, point);
+          auto dofs                           = point_dofs(*pair, point);
           local.reinit(dofs.size());
           evaluate_local_residual(*pair, point, state, local);
+          drop_zeros(dofs, local);
           geometric.distribute_local_to_global(local, dofs, residual);
 
           const SlaveFace<dim> &slave =

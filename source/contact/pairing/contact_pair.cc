@@ -188,36 +188,40 @@ namespace stickslip
     if (mortar && mortar->keeps_partners())
       return false;
     slave_nodes.read(searching_faces(), u);
-    master_nodes.read(patch->owned_faces(), u);
+    std::vector<const SurfaceFace<dim> *> masters;
+    for (const auto &face : patch->owned_faces())
+      masters.push_back(&face);
+    master_nodes.read(masters, u);
     const double motion =
       std::max(slave_nodes.largest_motion(), master_nodes.largest_motion());
     if (!force && Utilities::MPI::max(motion, communicator) <= 0.5 * margin)
       return false;
 
-    patch->fetch(slave_nodes.boxes(), u, margin);
+    slave_nodes.remember();
+    master_nodes.remember();
+    if (!patch->fetch(slave_nodes.boxes(), u, margin))
+      return false;
     for (auto &point : points)
       point.hysteresis.relocate(
         [this](Pairing<dim> &pairing) { patch->relocate(pairing); });
     if (mortar)
       mortar->relocate(*patch);
-    slave_nodes.remember();
-    master_nodes.remember();
     return true;
   }
 
 
 
   template <int dim>
-  std::vector<SurfaceFace<dim>>
+  std::vector<const SurfaceFace<dim> *>
   ContactPair<dim>::searching_faces() const
   {
-    std::vector<SurfaceFace<dim>> faces;
+    std::vector<const SurfaceFace<dim> *> faces;
     if (mortar)
       for (const auto &slave : mortar->mortar_faces())
-        faces.push_back(slave.face);
+        faces.push_back(&slave.face);
     else
       for (const auto &slave : slave_faces)
-        faces.push_back(slave.face);
+        faces.push_back(&slave.face);
     return faces;
   }
 

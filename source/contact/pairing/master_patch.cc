@@ -1,12 +1,15 @@
 #include <stickslip/contact/pairing/master_patch.h>
 
+#include <stickslip/base/over_ranks.h>
+
 #include <stickslip/contact/pairing/face_boxes.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
-#include <map>
+#include <set>
 
 namespace stickslip
 {
@@ -85,7 +88,7 @@ namespace stickslip
 
 
   template <int dim>
-  void
+  bool
   MasterPatch<dim>::fetch(const std::vector<BoundingBox<dim>> &slave_boxes,
                           const LA::Vector                    &u,
                           const double                         margin)
@@ -94,37 +97,42 @@ namespace stickslip
       summarize(slave_boxes, n_announced_boxes);
     for (auto &box : announced)
       box = enlarged(box, tolerances.search_distance + margin);
-    const auto all = Utilities::MPI::all_gather(communicator, announced);
+    const auto all  = Utilities::MPI::all_gather(communicator, announced);
+    const auto tree = tree_of_owned_faces(u);
 
-    std::vector<Box>            boxes;
-    std::vector<Tensor<1, dim>> positions;
-    for (unsigned int f = 0; f < owned.size(); ++f)
-      {
-        read_positions(owned[f], owned[f].n_nodes, u, positions);
-        boxes.emplace_back(box_of(positions, owned[f].n_nodes, bulge), f);
-      }
-    const RTree<Box> owned_tree = pack_rtree(boxes);
-
-    std::map<unsigned int, std::vector<SurfaceFace<dim>>> to_send;
+    std::map<unsigned int, Changes> to_send;
     for (unsigned int rank = 0; rank < all.size(); ++rank)
       {
-        std::vector<unsigned int> wanted;
-        if (rigid_tool && !all[rank].empty() && !owned.empty())
-          wanted = {0};
-        for (const auto &box : all[rank])
-          for (const auto &hit :
-               owned_tree | boost::geometry::index::adaptors::queried(
-                              boost::geometry::index::intersects(box)))
-            wanted.push_back(hit.second);
-        std::sort(wanted.begin(), wanted.end());
-        wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
-        for (const unsigned int f : wanted)
-          to_send[rank].push_back(owned[f]);
+        const std::vector<unsigned int> wanted =
+          owned_faces_in(all[rank], tree);
+        if (wanted.empty() && held_by.count(rank) == 0)
+          continue; // most ranks, where there are many
+        std::vector<unsigned int> &held = held_by[rank];
+        if (wanted == held)
+          continue;
+        std::vector<unsigned int> added, removed;
+        std::set_difference(wanted.begin(),
+                            wanted.end(),
+                            held.begin(),
+                            held.end(),
+                            std::back_inserter(added));
+        std::set_difference(held.begin(),
+                            held.end(),
+                            wanted.begin(),
+                            wanted.end(),
+                            std::back_inserter(removed));
+        Changes &changes = to_send[rank];
+        for (const unsigned int f : added)
+          changes.added.push_back(owned[f]);
+        for (const unsigned int f : removed)
+          changes.removed.push_back(owned[f].id);
+        held = wanted;
       }
-    const auto received = Utilities::MPI::some_to_some(communicator, to_send);
-    faces.clear();
-    for (const auto &from : received)
-      faces.insert(faces.end(), from.second.begin(), from.second.end());
+    if (!any_rank(!to_send.empty(), communicator))
+      return false;
+    for (const auto &[rank, changes] :
+         Utilities::MPI::some_to_some(communicator, to_send))
+      apply(changes);
     std::sort(faces.begin(), faces.end(), [](const auto &a, const auto &b) {
       return a.id < b.id;
     });
@@ -133,6 +141,60 @@ namespace stickslip
     thickness_of_thinnest = std::numeric_limits<double>::infinity();
     for (const auto &face : faces)
       thickness_of_thinnest = std::min(thickness_of_thinnest, face.thickness);
+    return true;
+  }
+
+
+
+  template <int dim>
+  RTree<typename MasterPatch<dim>::Box>
+  MasterPatch<dim>::tree_of_owned_faces(const LA::Vector &u) const
+  {
+    std::vector<Box>            boxes;
+    std::vector<Tensor<1, dim>> positions;
+    for (unsigned int f = 0; f < owned.size(); ++f)
+      {
+        read_positions(owned[f], owned[f].n_nodes, u, positions);
+        boxes.emplace_back(box_of(positions, owned[f].n_nodes, bulge), f);
+      }
+    return pack_rtree(boxes);
+  }
+
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  MasterPatch<dim>::owned_faces_in(const std::vector<BoundingBox<dim>> &boxes,
+                                   const RTree<Box> &tree_of_owned) const
+  {
+    std::vector<unsigned int> result;
+    if (rigid_tool && !boxes.empty() && !owned.empty())
+      result = {0};
+    for (const auto &box : boxes)
+      for (const auto &hit :
+           tree_of_owned | boost::geometry::index::adaptors::queried(
+                             boost::geometry::index::intersects(box)))
+        result.push_back(hit.second);
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+
+
+  template <int dim>
+  void
+  MasterPatch<dim>::apply(const Changes &changes)
+  {
+    const std::set<FaceId> removed(changes.removed.begin(),
+                                   changes.removed.end());
+    faces.erase(std::remove_if(faces.begin(),
+                               faces.end(),
+                               [&](const SurfaceFace<dim> &face) {
+                                 return removed.count(face.id) > 0;
+                               }),
+                faces.end());
+    faces.insert(faces.end(), changes.added.begin(), changes.added.end());
   }
 
 

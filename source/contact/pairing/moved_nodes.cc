@@ -8,12 +8,12 @@ namespace stickslip
 {
   template <int dim>
   void
-  MovedNodes<dim>::read(const std::vector<SurfaceFace<dim>> &faces,
-                        const LA::Vector                    &u)
+  MovedNodes<dim>::read(const std::vector<const SurfaceFace<dim> *> &faces,
+                        const LA::Vector                            &u)
   {
     now.resize(faces.size());
     for (unsigned int f = 0; f < faces.size(); ++f)
-      read_positions(faces[f], faces[f].n_nodes, u, now[f]);
+      read_positions(*faces[f], faces[f]->n_nodes, u, now[f]);
   }
 
 

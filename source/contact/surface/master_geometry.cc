@@ -19,11 +19,12 @@ namespace stickslip
 
 
 
+    /// (1 - n n) A, without the product of two matrices.
     template <int dim>
     Tensor<2, dim>
-    tangential_projector(const Tensor<1, dim> &n)
+    tangential_part(const Tensor<2, dim> &A, const Tensor<1, dim> &n)
     {
-      return Tensor<2, dim>(unit_symmetric_tensor<dim>()) - outer_product(n, n);
+      return A - outer_product(n, n * A);
     }
 
 
@@ -88,17 +89,18 @@ namespace stickslip
         const Tensor<1, dim> v =
           contribution.orientation * surface_normal<dim>(a);
         const double         length = v.norm();
-        const Tensor<2, dim> P      = tangential_projector<dim>(v / length);
-        sum += v / length;
+        const Tensor<1, dim> n      = v / length;
+        sum += n;
         for (unsigned int i = 0; i < contribution.nodes.size(); ++i)
           derivative[contribution.nodes[i]] +=
-            (contribution.orientation / length) * P *
-            surface_normal_derivative(a, contribution.gradients[i]);
+            (contribution.orientation / length) *
+            tangential_part(
+              surface_normal_derivative(a, contribution.gradients[i]), n);
       }
     const double         length = sum.norm();
-    const Tensor<2, dim> P      = tangential_projector<dim>(sum / length);
+    const Tensor<1, dim> n      = sum / length;
     for (Tensor<2, dim> &D : derivative)
-      D = P * D / length;
+      D = tangential_part(D, n) / length;
   }
 
 

@@ -125,7 +125,7 @@ namespace stickslip
 
     /// Fetches the master patch if a node moved by more than half its margin
     /// since the last time (always with @p force), unless the pair keeps its
-    /// partners. True if it did. Collective.
+    /// partners. True if that changed a rank's patch. Collective.
     bool
     update_patch(const LA::Vector &u, const bool force);
 
@@ -250,7 +250,7 @@ namespace stickslip
     last_pairing(const ContactPoint<dim> &point) const;
 
     /// The faces around which master faces are needed.
-    std::vector<SurfaceFace<dim>>
+    std::vector<const SurfaceFace<dim> *>
     searching_faces() const;
 
     GapOffsets<dim>                   gap_offsets;

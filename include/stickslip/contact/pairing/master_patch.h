@@ -9,6 +9,7 @@
 
 #include <deal.II/numerics/rtree.h>
 
+#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -61,9 +62,10 @@ namespace stickslip
 
     /**
      * Collects the faces within search distance plus @p margin of the
-     * @p slave_boxes of every rank. Collective.
+     * @p slave_boxes of every rank; what a rank holds is not sent again. True
+     * on all ranks if the patch of any of them changed. Collective.
      */
-    void
+    bool
     fetch(const std::vector<BoundingBox<dim>> &slave_boxes,
           const LA::Vector                    &u,
           const double                         margin);
@@ -186,16 +188,42 @@ namespace stickslip
   private:
     using Box = std::pair<BoundingBox<dim>, unsigned int>;
 
-    std::vector<SurfaceFace<dim>>         owned;
-    std::vector<SurfaceFace<dim>>         faces;
-    std::vector<MasterConfiguration<dim>> current;
-    std::vector<MasterConfiguration<dim>> old;
-    RTree<Box>                            tree;
-    const FaceShape<dim>                  shape;
-    MPI_Comm                              communicator;
-    std::shared_ptr<const RigidTool<dim>> rigid_tool;
+    /// Of a rank's patch, among the faces of one owner.
+    struct Changes
+    {
+      std::vector<SurfaceFace<dim>> added;
+      std::vector<FaceId>           removed;
+
+      template <class Archive>
+      void
+      serialize(Archive &archive, const unsigned int)
+      {
+        archive &added &removed;
+      }
+    };
+
+    std::vector<SurfaceFace<dim>> owned;
+    /// Numbers of the owned faces that a rank holds, sorted.
+    std::map<unsigned int, std::vector<unsigned int>> held_by;
+    std::vector<SurfaceFace<dim>>                     faces;
+    std::vector<MasterConfiguration<dim>>             current;
+    std::vector<MasterConfiguration<dim>>             old;
+    RTree<Box>                                        tree;
+    const FaceShape<dim>                              shape;
+    MPI_Comm                                          communicator;
+    std::shared_ptr<const RigidTool<dim>>             rigid_tool;
     double thickness_of_thinnest = 0.; ///< of the faces [length]
     double largest_motion        = 0.; ///< of a node in this step [length]
+
+    RTree<Box>
+    tree_of_owned_faces(const LA::Vector &u) const;
+
+    std::vector<unsigned int>
+    owned_faces_in(const std::vector<BoundingBox<dim>> &boxes,
+                   const RTree<Box>                    &tree_of_owned) const;
+
+    void
+    apply(const Changes &changes);
 
     template <typename Hits>
     std::vector<std::pair<double, unsigned int>>

@@ -16,7 +16,8 @@ namespace stickslip
   public:
     /// Reads the positions of the nodes of @p faces from ghosted displacements.
     void
-    read(const std::vector<SurfaceFace<dim>> &faces, const LA::Vector &u);
+    read(const std::vector<const SurfaceFace<dim> *> &faces,
+         const LA::Vector                            &u);
 
     /// Largest motion on this rank of a node since remember() [length]; 0
     /// before the first.
