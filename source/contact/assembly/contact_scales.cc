@@ -126,9 +126,8 @@ namespace stickslip
           {
             const double height =
               pair->slave_faces[point.geometry.slave_face].face.diameter;
-            point.scales.negligible_threshold =
-              parameters.friction_coefficient * roundoff_strain *
-              contact_stiffness(*pair, point) * height;
+            point.scales.negligible_pressure =
+              roundoff_strain * contact_stiffness(*pair, point) * height;
             const bool closed = contact.live_closed(*pair, point);
             n_closed += closed ? 1 : 0;
             double s = parameters.tresca_threshold;
@@ -136,7 +135,8 @@ namespace stickslip
               s = pair->softest_modulus;
             else if (parameters.friction == Friction::Coulomb)
               s = closed ? contact.live_threshold(*pair, point) : 0.;
-            if (s <= point.scales.negligible_threshold)
+            if (s <= parameters.friction_coefficient *
+                       point.scales.negligible_pressure)
               s = 0.;
             thresholds.push_back(s);
             largest = std::max(largest, s);

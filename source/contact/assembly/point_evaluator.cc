@@ -26,7 +26,8 @@ namespace stickslip
       result.closed = point.treatment.fixed_closed.value_or(
         is_live ? is_closed(state.multipliers.lambda_n,
                             state.kinematics.d_n,
-                            point.regularization)
+                            point.regularization,
+                            point.scales.negligible_pressure)
                 : point.frozen.closed);
       if ((result.closed || is_rounded) && has_friction)
         result.stick = point.treatment.fixed_stick.value_or(
@@ -176,7 +177,8 @@ namespace stickslip
     evaluate_kinematics(pair, point, false, false);
     return point.pairing.paired && is_closed(state.multipliers.lambda_n,
                                              state.kinematics.d_n,
-                                             point.regularization);
+                                             point.regularization,
+                                             point.scales.negligible_pressure);
   }
 
 
@@ -216,7 +218,8 @@ namespace stickslip
     if (status_rule == StatusRule::all_stick || parameters.is_bilateral())
       law.r.r_n_augmentation = law.r.r_t_augmentation = 0.;
     law.threshold.kind       = threshold_kind(parameters, live.threshold);
-    law.threshold.negligible = point.scales.negligible_threshold;
+    law.threshold.negligible =
+      parameters.friction_coefficient * point.scales.negligible_pressure;
     law.threshold.friction_coefficient = parameters.friction_coefficient;
     law.threshold.given                = parameters.friction == Friction::Tresca
                                            ? parameters.tresca_threshold

@@ -69,9 +69,12 @@ namespace stickslip
 
 
   bool
-  is_closed(const double lambda_n, const double d_n, const Regularization &r)
+  is_closed(const double          lambda_n,
+            const double          d_n,
+            const Regularization &r,
+            const double          negligible)
   {
-    return lambda_n - r.r_n_status * d_n <= 0.;
+    return lambda_n - r.r_n_status * d_n <= negligible;
   }
 
 

@@ -94,9 +94,13 @@ namespace stickslip
                       const double r_n,
                       const double d_n);
 
-  /// S_c = [lambda_n - r_n^{Sc} d_n <= 0].
+  /// S_c = [lambda_n - r_n^{Sc} d_n <= 0], up to a pressure of roundoff: what
+  /// touches is closed.
   bool
-  is_closed(const double lambda_n, const double d_n, const Regularization &r);
+  is_closed(const double          lambda_n,
+            const double          d_n,
+            const Regularization &r,
+            const double          negligible = 0.);
 
   /// S_f = [|Lambda + r_t^{Sf} d_t| <= 1], up to roundoff.
   template <int dim>

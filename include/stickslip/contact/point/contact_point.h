@@ -48,7 +48,7 @@ namespace stickslip
     double stiffness_over_threshold = 1.; ///< unit of r_t [1/length]
     double default_r_n = 1.; ///< that the rule has by itself [stress/length]
     double default_r_t = 1.; ///< likewise [1/length]
-    double negligible_threshold = 0.; ///< s up to here is roundoff [stress]
+    double negligible_pressure = 0.; ///< up to here it is roundoff [stress]
     double open_row = 1.; ///< of Lambda where a point is open [stress length]
     /// Tangential stiffness in the tangent as long as no point has a threshold
     /// [stress/length].
