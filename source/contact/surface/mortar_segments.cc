@@ -263,8 +263,8 @@ namespace stickslip
                     p += quadrature.point(q)[d] * (simplex[d + 1] - simplex[0]);
                   SegmentPoint<dim> point;
                   point.master = master;
-                  point.eta    = on_master.at(p);
                   point.xi     = on_slave.at(p);
+                  point.eta    = on_master.at(p);
                   if (!find_above(p,
                                   plane,
                                   opposite.positions,
@@ -341,10 +341,10 @@ namespace stickslip
                   if constexpr (dim == 3)
                     end.share = (p - cell[edge]).norm() /
                                 (cell[next] - cell[edge]).norm();
-                  end.eta = eta.at(p);
-                  end.xi  = xi.at(p);
                   for (unsigned int d = 0; d < dim - 1; ++d)
                     end.outward += border.outward[d] * plane.e[d];
+                  end.xi  = xi.at(p);
+                  end.eta = eta.at(p);
                   if (!find_above(p,
                                   plane,
                                   opposite.positions,

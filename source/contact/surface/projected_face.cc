@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace stickslip
 {
@@ -19,6 +20,37 @@ namespace stickslip
       axis[smallest]       = 1.;
       const Tensor<1, 3> t = axis - (axis * n) * n;
       return t / t.norm();
+    }
+
+
+
+    /// Coordinates s with edges * s + twist * s_0 s_1 = @p place, by Newton's
+    /// method from @p s; none if it does not converge.
+    std::optional<Tensor<1, 2>>
+    bilinear_inverse(const Tensor<1, 2> &place,
+                     const Tensor<2, 2> &edges,
+                     const Tensor<1, 2> &twist,
+                     Tensor<1, 2>        s)
+    {
+      constexpr unsigned int most_iterations = 8;
+      constexpr double       small_step = 1e-8; // the next one is its square
+      for (unsigned int i = 0; i < most_iterations; ++i)
+        {
+          Tensor<2, 2> slope = edges;
+          for (unsigned int c = 0; c < 2; ++c)
+            {
+              slope[c][0] += s[1] * twist[c];
+              slope[c][1] += s[0] * twist[c];
+            }
+          if (determinant(slope) == 0.)
+            return {};
+          const Tensor<1, 2> step =
+            invert(slope) * (place - edges * s - s[0] * s[1] * twist);
+          s += step;
+          if (step.norm() < small_step)
+            return s;
+        }
+      return {};
     }
   } // namespace
 
@@ -107,25 +139,45 @@ namespace stickslip
                                     const ProjectedFace<dim> &face,
                                     const unsigned int        cell)
     : corner(face.cells[cell][0])
-    , xi(shape.node(shape.cells()[cell].corners[0]))
+    , first(shape.node(shape.cells()[cell].corners[0]))
   {
     const auto        &corners   = shape.cells()[cell].corners;
     const unsigned int n_corners = corners.size();
-    Tensor<2, dim - 1> in_plane, parametric;
     for (unsigned int d = 0; d < dim - 1; ++d)
       {
         const unsigned int k = d == 0 ? 1 : n_corners - 1;
         for (unsigned int i = 0; i < dim - 1; ++i)
           {
-            in_plane[i][d]   = face.cells[cell][k][i] - corner[i];
-            parametric[i][d] = shape.node(corners[k])[i] - xi[i];
+            edges[i][d]  = face.cells[cell][k][i] - corner[i];
+            extent[i][d] = shape.node(corners[k])[i] - first[i];
           }
       }
-    if (determinant(in_plane) != 0.)
-      slope = parametric * invert(in_plane);
-    else
-      xi = shape.cells()[cell].centre;
+    if (determinant(edges) == 0.)
+      {
+        first  = shape.cells()[cell].centre;
+        extent = 0.;
+        return;
+      }
+    inverse_edges = invert(edges);
+    if (n_corners == 4)
+      twist = (face.cells[cell][2] - face.cells[cell][1]) -
+              (face.cells[cell][3] - corner);
   }
+
+
+
+  template <int dim>
+  Point<dim - 1>
+  ParametricMap<dim>::at(const Point<dim - 1> &p) const
+  {
+    Tensor<1, dim - 1> s = inverse_edges * (p - corner);
+    if constexpr (dim == 3)
+      if (twist != Tensor<1, 2>())
+        s = bilinear_inverse(p - corner, edges, twist, s).value_or(s);
+    return first + extent * s;
+  }
+
+
 
 #define INSTANTIATE(dim)                                                      \
   template class ParametricMap<dim>;                                          \

@@ -67,10 +67,10 @@ namespace stickslip
            const std::vector<Tensor<1, dim>> &positions,
            const unsigned int                 n_nodes);
 
-  /// The affine map from a cell of a projected face to parametric coordinates
-  /// that takes three corners (2D: two) to their nodes: that of the face
-  /// itself, if it is a flat triangle or parallelogram. Collapsed cells go to
-  /// their centre.
+  /// The map from a cell of a projected face to parametric coordinates that
+  /// takes the corners to their nodes: that of the face itself, if it has no
+  /// other nodes. Collapsed cells go to their centre, in badly distorted ones
+  /// three corners count.
   template <int dim>
   class ParametricMap
   {
@@ -80,15 +80,15 @@ namespace stickslip
                   const unsigned int        cell);
 
     Point<dim - 1>
-    at(const Point<dim - 1> &p) const
-    {
-      return xi + slope * (p - corner);
-    }
+    at(const Point<dim - 1> &p) const;
 
   private:
-    Point<dim - 1>     corner; ///< in the plane
-    Point<dim - 1>     xi;     ///< its parametric coordinates
-    Tensor<2, dim - 1> slope;
+    /// With coordinates s of the corners at 0 and 1, places in the plane are
+    /// corner + edges * s + twist * s_0 s_1, parametric ones first + extent *
+    /// s.
+    Point<dim - 1>     corner, first;
+    Tensor<2, dim - 1> edges, inverse_edges, extent;
+    Tensor<1, dim - 1> twist; ///< zero for intervals and triangles
   };
 
   template <int dim>
