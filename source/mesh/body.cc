@@ -9,6 +9,15 @@
 
 namespace stickslip
 {
+  namespace
+  {
+    /// 0 is what deal.II gives the faces of ghost cells behind which lie cells
+    /// that only other ranks know (fully distributed triangulations).
+    constexpr types::boundary_id first_boundary_id = 1;
+  } // namespace
+
+
+
   unsigned int
   Bodies::index_of(const std::string &name,
                    const std::string &parameter_path) const
@@ -31,7 +40,7 @@ namespace stickslip
   Bodies::global_boundary_id(const unsigned int       body,
                              const types::boundary_id local) const
   {
-    types::boundary_id first = 0;
+    types::boundary_id first = first_boundary_id;
     for (unsigned int b = 0; b < body; ++b)
       first += bodies[b].boundary_ids.size();
 
@@ -117,11 +126,11 @@ namespace stickslip
   unsigned int
   Bodies::body_of_boundary(const types::boundary_id global) const
   {
-    types::boundary_id end = 0;
+    types::boundary_id end = first_boundary_id;
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {
         end += bodies[b].boundary_ids.size();
-        if (global < end)
+        if (global < end && global >= first_boundary_id)
           return b;
       }
     AssertThrow(false, ExcInternalError());
