@@ -70,9 +70,12 @@ CASES = {
     "a gap offset that is not a number": (
         "plate.prm", "subsection Contact\n subsection base\n set Gap offset = sqrt(-t)\n end\nend",
         WRONG_INPUT, ["Contact/base/Gap offset", "not a number", "time 1"]),
-    "bodies of different kinds of cells": (
-        "plate.prm", body("plate", "Simplices = true"),
-        WRONG_INPUT, ["Bodies/plate is made of triangles", "Bodies/base of quadrilaterals", "'Simplices = true' in Bodies/base"]),
+    "HDF5 of different kinds of cells": (
+        "plate.prm", body("plate", "Simplices = true") + section("Output", "Format = hdf5"),
+        WRONG_INPUT, ["Output/Format = hdf5", "triangles and quadrilaterals", "'vtu'"]),
+    "local refinement beside triangles": (
+        "plate.prm", body("plate", "Simplices = true") + rule("First corner = 0, 0", "Second corner = 1, 1"),
+        WRONG_INPUT, ["Refinement/spot", "triangles cannot be refined locally"]),
     "triangles that are cut again": (
         "plate.prm", body("plate", "Generator =", "Arguments =", "Mesh file = %s/triangle.msh" % HERE, "Simplices = true"),
         WRONG_INPUT, ["Bodies/plate/Simplices", "triangles already"]),

@@ -82,13 +82,15 @@ namespace stickslip
   CellStresses<dim>::CellStresses(ContactProblem<dim> &problem,
                                   const StressMeasure  measure)
     : element(
-        stress_space<dim>(problem.layout().cells, problem.layout().fe.degree))
+        stress_space<dim>(problem.layout().cells(), problem.layout().degree()))
     , nodal_values(
         problem.layout().dof_handler.get_triangulation().n_active_cells())
   {
     const DoFHandler<dim>   &dof_handler = problem.layout().dof_handler;
     const FullMatrix<double> to_nodes =
-      interpolation_matrix(*element, problem.solid().cell_quadrature());
+      interpolation_matrix(*element,
+                           cell_quadrature<dim>(problem.layout().cells(),
+                                                problem.layout().degree()));
     std::vector<MaterialState<dim>> states;
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())

@@ -290,7 +290,7 @@ namespace stickslip
   {
     const DofLayout<dim> &dofs          = problem.layout();
     const auto           &triangulation = dofs.dof_handler.get_triangulation();
-    const FaceShape<dim>  shape(dofs.fe.degree, faces_of<dim>(dofs.cells));
+    const FaceShape<dim>  shape(dofs.degree(), faces_of<dim>(dofs.cells()));
     const unsigned int    n = shape.n_nodes() * dim;
     FaceMessages<dim>     messages;
     errors.reinit(triangulation.n_active_cells());
@@ -304,7 +304,7 @@ namespace stickslip
                                 &dofs.dof_handler);
         take_forces(problem, cell, received.face, received.numbers);
         const auto nodes =
-          nodes_of_face(dofs.fe.base_element(0), received.face, shape);
+          nodes_of_face(dofs.fe().base_element(0), received.face, shape);
         auto &at_nodes = tractions[{cell->active_cell_index(), received.face}];
         for (unsigned int j = 0; j < nodes.size(); ++j)
           for (unsigned int c = 0; c < dim; ++c)
@@ -335,11 +335,11 @@ namespace stickslip
                                     const std::vector<double> &forces)
   {
     const DofLayout<dim>     &dofs = problem.layout();
-    const FiniteElement<dim> &fe   = dofs.fe.base_element(0);
-    const FaceShape<dim>      shape(dofs.fe.degree, faces_of<dim>(dofs.cells));
+    const FiniteElement<dim> &fe   = dofs.fe().base_element(0);
+    const FaceShape<dim>      shape(dofs.degree(), faces_of<dim>(dofs.cells()));
     const auto                nodes = nodes_of_face(fe, face, shape);
     FEFaceValues<dim>         fe_values(
-      dofs.mapping,
+      dofs.mapping[0],
       fe,
       gauss_quadrature<dim - 1>(shape.reference_cell(), fe.degree + 1),
       update_values | update_JxW_values);

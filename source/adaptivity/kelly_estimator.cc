@@ -19,9 +19,9 @@ namespace stickslip
 
     Vector<float> jumps(triangulation.n_active_cells());
     KellyErrorEstimator<dim>::estimate(
-      dofs.mapping,
+      dofs.mapping[0],
       dofs.dof_handler,
-      gauss_quadrature<dim - 1>(faces_of<dim>(dofs.cells), dofs.fe.degree + 1),
+      gauss_quadrature<dim - 1>(faces_of<dim>(dofs.cells()), dofs.degree() + 1),
       {},
       problem.ghosted_displacement(),
       jumps);

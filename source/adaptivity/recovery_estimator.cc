@@ -117,17 +117,17 @@ namespace stickslip
         , cross_section(problem.bodies().cross_section)
         , stresses(problem, StressMeasure::cauchy)
         , neighbours(GridTools::vertex_to_cell_map(triangulation))
-        , fe_values(dofs.mapping,
+        , fe_values(dofs.mapping[0],
                     stresses.space(),
-                    gauss_quadrature<dim>(dofs.cells, dofs.fe.degree + 1),
+                    gauss_quadrature<dim>(dofs.cells(), dofs.degree() + 1),
                     update_values | update_quadrature_points |
                       update_JxW_values)
         , samples(triangulation.n_active_cells())
       {
-        FEValues<dim> at_samples(dofs.mapping,
+        FEValues<dim> at_samples(dofs.mapping[0],
                                  stresses.space(),
-                                 gauss_quadrature<dim>(dofs.cells,
-                                                       dofs.fe.degree),
+                                 gauss_quadrature<dim>(dofs.cells(),
+                                                       dofs.degree()),
                                  update_values | update_quadrature_points);
         for (const auto &cell : triangulation.active_cell_iterators())
           if (!cell->is_artificial() && !stresses.of(cell).empty())
@@ -211,7 +211,7 @@ namespace stickslip
       smoothed_around(const std::vector<unsigned int> &vertices,
                       const CellIterator              &cell) const
       {
-        const Monomials<dim> monomials(dofs.fe.degree,
+        const Monomials<dim> monomials(dofs.degree(),
                                        cell->center(),
                                        cell->diameter());
         return {monomials,
@@ -255,7 +255,7 @@ namespace stickslip
             for (const auto &entry : at_vertices)
               {
                 shares.push_back(
-                  dofs.cells.template d_linear_shape_function<dim>(
+                  dofs.cells().template d_linear_shape_function<dim>(
                     fe_values.get_quadrature().point(q), entry.first));
                 rest -= shares.back();
               }

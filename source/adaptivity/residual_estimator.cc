@@ -48,33 +48,37 @@ namespace stickslip
       explicit Residual(ContactProblem<dim> &problem)
         : problem(problem)
         , dofs(problem.layout())
-        , p(dofs.fe.degree)
+        , p(dofs.degree())
         , moduli(problem)
         , stresses(problem, StressMeasure::nominal)
         , contact(problem)
-        , cell_rule(gauss_quadrature<dim>(dofs.cells, p + 1))
-        , face_rule(gauss_quadrature<dim - 1>(faces_of<dim>(dofs.cells), p + 1))
-        , fe_values(dofs.mapping,
+        , cell_rule(gauss_quadrature<dim>(dofs.cells(), p + 1))
+        , face_rule(
+            gauss_quadrature<dim - 1>(faces_of<dim>(dofs.cells()), p + 1))
+        , fe_values(dofs.mapping[0],
                     stresses.space(),
                     cell_rule,
                     update_gradients | update_quadrature_points |
                       update_JxW_values)
-        , face(dofs.mapping,
+        , face(dofs.mapping[0],
                stresses.space(),
                face_rule,
                update_values | update_quadrature_points |
                  update_normal_vectors | update_JxW_values)
-        , subface(dofs.mapping,
+        , subface(dofs.mapping[0],
                   stresses.space(),
                   face_rule,
                   update_values | update_normal_vectors | update_JxW_values)
-        , other_face(dofs.mapping, stresses.space(), face_rule, update_values)
-        , other_subface(dofs.mapping,
+        , other_face(dofs.mapping[0],
+                     stresses.space(),
+                     face_rule,
+                     update_values)
+        , other_subface(dofs.mapping[0],
                         stresses.space(),
                         face_rule,
                         update_values)
-        , displacements(dofs.mapping,
-                        dofs.fe,
+        , displacements(dofs.mapping[0],
+                        dofs.fe(),
                         face_rule,
                         update_values | update_gradients)
       {}
@@ -260,7 +264,7 @@ namespace stickslip
       shape_value(const unsigned int node, const unsigned int q) const
       {
         return displacements.shape_value(
-          dofs.fe.component_to_system_index(0, node), q);
+          dofs.fe().component_to_system_index(0, node), q);
       }
 
       /// Forces per area of loads, at the points of `face`.
@@ -291,17 +295,18 @@ namespace stickslip
       std::vector<std::pair<unsigned int, Tensor<2, dim>>>
       free_directions_on(const CellIterator &cell, const unsigned int f) const
       {
-        std::vector<types::global_dof_index> of_cell(dofs.fe.n_dofs_per_cell());
+        std::vector<types::global_dof_index> of_cell(
+          dofs.fe().n_dofs_per_cell());
         std::vector<types::global_dof_index> of_node(dim);
         cell->get_dof_indices(of_cell);
         std::vector<std::pair<unsigned int, Tensor<2, dim>>> result;
-        const FiniteElement<dim> &fe = dofs.fe.base_element(0);
+        const FiniteElement<dim> &fe = dofs.fe().base_element(0);
         for (unsigned int node = 0; node < fe.n_dofs_per_cell(); ++node)
           if (has_node_on_face(fe, node, f))
             {
               for (unsigned int c = 0; c < dim; ++c)
                 of_node[c] =
-                  of_cell[dofs.fe.component_to_system_index(c, node)];
+                  of_cell[dofs.fe().component_to_system_index(c, node)];
               result.emplace_back(node, free_directions(problem, of_node));
             }
         return result;

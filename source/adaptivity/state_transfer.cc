@@ -23,8 +23,10 @@ namespace stickslip
                                     const double         time,
                                     const MeshState     &state)
     : element(
-        make_element<dim>(problem.layout().cells, problem.layout().fe.degree))
-    , transfer(*element, problem.solid().cell_quadrature())
+        make_element<dim>(problem.layout().cells(), problem.layout().degree()))
+    , transfer(*element,
+               cell_quadrature<dim>(problem.layout().cells(),
+                                    problem.layout().degree()))
   {
     const DofLayout<dim> &layout = problem.layout();
     ContactStates<dim>    results;
@@ -46,7 +48,8 @@ namespace stickslip
     const std::array<LA::Vector, 3> fields{{ghosted(state.x.block(0)),
                                             ghosted(state.rate),
                                             ghosted(state.guess.block(0))}};
-    const unsigned int n_dofs = layout.fe.dofs_per_cell, n_nodes = n_dofs / dim;
+    const unsigned int              n_dofs = layout.fe().dofs_per_cell,
+                       n_nodes             = n_dofs / dim;
     std::vector<types::global_dof_index> dofs(n_dofs);
     records.resize(layout.dof_handler.get_triangulation().n_active_cells());
     for (const auto &cell : layout.dof_handler.active_cell_iterators())
@@ -58,7 +61,7 @@ namespace stickslip
           for (unsigned int i = 0; i < n_dofs; ++i)
             {
               const auto [component, node] =
-                layout.fe.system_to_component_index(i);
+                layout.fe().system_to_component_index(i);
               for (unsigned int k = 0; k < fields.size(); ++k)
                 record.in_body[(k * dim + component) * n_nodes + node] =
                   fields[k](dofs[i]);
@@ -130,8 +133,9 @@ namespace stickslip
   StateTransfer<dim>::put_into(ContactProblem<dim> &problem,
                                const double         time) const
   {
-    const DofLayout<dim> &layout = problem.layout();
-    const unsigned int n_dofs = layout.fe.dofs_per_cell, n_nodes = n_dofs / dim;
+    const DofLayout<dim> &layout           = problem.layout();
+    const unsigned int    n_dofs           = layout.fe().dofs_per_cell,
+                       n_nodes             = n_dofs / dim;
     const LA::BlockVector             zero = problem.zero_state();
     MeshState                         state{zero, zero.block(0), zero};
     const std::array<LA::Vector *, 3> fields{
@@ -146,7 +150,7 @@ namespace stickslip
             if (layout.owned.is_element(dofs[i]))
               {
                 const auto [component, node] =
-                  layout.fe.system_to_component_index(i);
+                  layout.fe().system_to_component_index(i);
                 for (unsigned int k = 0; k < fields.size(); ++k)
                   (*fields[k])(dofs[i]) =
                     record.in_body[(k * dim + component) * n_nodes + node];

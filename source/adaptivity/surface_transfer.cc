@@ -56,7 +56,7 @@ namespace stickslip
       const DofLayout<dim> &layout = problem.layout();
       const auto           &pairs  = problem.contact().contact_pairs();
       const auto            faces  = faces_of_cells(problem.contact());
-      std::vector<types::global_dof_index> dofs(layout.fe.dofs_per_cell);
+      std::vector<types::global_dof_index> dofs(layout.fe().dofs_per_cell);
       for (const auto &cell : layout.dof_handler.active_cell_iterators())
         {
           if (!cell->is_locally_owned())
@@ -70,7 +70,7 @@ namespace stickslip
                   p,
                   f,
                   nodes_in_cell(pairs[p]->slave_faces[f].face,
-                                layout.fe,
+                                layout.fe(),
                                 dofs));
         }
     }
@@ -199,7 +199,7 @@ namespace stickslip
     std::vector<std::size_t> first(1, 0);
     for (const auto &pair : problem.contact().contact_pairs())
       first.push_back(first.back() + pair->slave_faces.size());
-    const unsigned int n_nodes = problem.layout().fe.dofs_per_cell / dim;
+    const unsigned int n_nodes = problem.layout().fe().dofs_per_cell / dim;
     for_each_slave_face(
       problem,
       [&](const auto                      &cell,
@@ -235,7 +235,7 @@ namespace stickslip
                  const std::vector<CellRecord> &records)
   {
     const auto           &pairs   = problem.contact().contact_pairs();
-    const unsigned int    n_nodes = problem.layout().fe.dofs_per_cell / dim;
+    const unsigned int    n_nodes = problem.layout().fe().dofs_per_cell / dim;
     AllCarriedValues<dim> all(pairs.size());
     for (unsigned int p = 0; p < pairs.size(); ++p)
       all[p].resize(pairs[p]->slave_faces.size());

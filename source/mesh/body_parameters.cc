@@ -86,8 +86,7 @@ namespace stickslip
                       simplices,
                       "Cuts each quadrilateral into 8 triangles, each "
                       "hexahedron into 24 tetrahedra, after the Refinements of "
-                      "this body. All bodies of a model have to be made of one "
-                      "kind of cells; rigid tools ('tool_...') go with any.");
+                      "this body. Other bodies may be made of the other kind.");
 
     prm.add_parameter("Scale",
                       scale,

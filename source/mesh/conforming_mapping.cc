@@ -4,16 +4,19 @@
 #include <stickslip/mesh/reference_cells.h>
 
 #include <deal.II/base/index_set.h>
+#include <deal.II/base/utilities.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_tools.h>
 
 #include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_q.h>
 #include <deal.II/fe/mapping_q_cache.h>
 
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <memory>
 #include <vector>
 
 namespace stickslip
@@ -36,21 +39,36 @@ namespace stickslip
 
 
 
-    /// Isoparametric, with all nodes on the manifolds.
+    /// Shows where MappingQ has its nodes.
+    template <int dim>
+    class MappingNodes : public MappingQ<dim>
+    {
+    public:
+      using MappingQ<dim>::MappingQ;
+      using MappingQ<dim>::compute_mapping_support_points;
+    };
+
+
+
+    /// Isoparametric for cells of one kind, with all nodes on the manifolds.
     template <int dim>
     std::unique_ptr<Mapping<dim>>
     mapping_on_manifolds(const Triangulation<dim> &triangulation,
+                         const ReferenceCell      &kind,
                          const unsigned int        degree)
     {
-      const ReferenceCell cell    = reference_cell_of(triangulation);
-      auto                mapping = make_mapping<dim>(cell, degree);
       if (degree == 1 || !has_manifolds(triangulation))
-        return mapping;
-      if (cell.is_simplex())
+        return make_mapping<dim>(kind, degree);
+      if (kind.is_simplex())
         return std::make_unique<CurvedSimplexMapping<dim>>(triangulation);
       // Manifolds are not cheap; they are asked once instead of for each use.
+      const MappingNodes<dim> mapping(degree);
       auto cache = std::make_unique<MappingQCache<dim>>(degree);
-      cache->initialize(*mapping, triangulation);
+      cache->initialize(triangulation, [&](const auto &cell) {
+        return cell->reference_cell() == kind
+                 ? mapping.compute_mapping_support_points(cell)
+                 : std::vector<Point<dim>>(Utilities::pow(degree + 1, dim));
+      });
       return cache;
     }
 
@@ -82,14 +100,16 @@ namespace stickslip
 
 
   template <int dim>
-  std::unique_ptr<Mapping<dim>>
+  hp::MappingCollection<dim>
   make_conforming_mapping(
     const parallel::DistributedTriangulationBase<dim> &triangulation,
     const unsigned int                                 degree)
   {
-    auto mapping = mapping_on_manifolds(triangulation, degree);
+    hp::MappingCollection<dim> mappings;
+    for (const ReferenceCell &kind : kinds_of_cells(triangulation))
+      mappings.push_back(*mapping_on_manifolds(triangulation, kind, degree));
     if (!triangulation.has_hanging_nodes())
-      return mapping;
+      return mappings;
 
     const ReferenceCell cell = reference_cell_of(triangulation);
     const FESystem<dim> fe(*make_element<dim>(cell, degree), dim);
@@ -104,7 +124,7 @@ namespace stickslip
     Positions positions(dof_handler.locally_owned_dofs(),
                         relevant,
                         triangulation.get_communicator());
-    read_positions(*mapping, dof_handler, positions);
+    read_positions(mappings[0], dof_handler, positions);
     positions.update_ghost_values();
     for (const auto &line : lines.get_lines())
       if (positions.in_local_range(line.index))
@@ -118,15 +138,15 @@ namespace stickslip
         }
     positions.update_ghost_values();
 
-    auto cache = std::make_unique<MappingQCache<dim>>(degree);
-    cache->initialize(*mapping, dof_handler, positions, false);
-    return cache;
+    MappingQCache<dim> cache(degree);
+    cache.initialize(mappings[0], dof_handler, positions, false);
+    return hp::MappingCollection<dim>(cache);
   }
 
-  template std::unique_ptr<Mapping<2>>
+  template hp::MappingCollection<2>
   make_conforming_mapping(const parallel::DistributedTriangulationBase<2> &,
                           const unsigned int);
-  template std::unique_ptr<Mapping<3>>
+  template hp::MappingCollection<3>
   make_conforming_mapping(const parallel::DistributedTriangulationBase<3> &,
                           const unsigned int);
 } // namespace stickslip

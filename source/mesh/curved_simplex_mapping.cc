@@ -33,7 +33,7 @@ namespace stickslip
   {
     std::vector<std::vector<Point<dim>>> all(triangulation.n_active_cells());
     for (const auto &cell : triangulation.active_cell_iterators())
-      if (!cell->is_artificial())
+      if (!cell->is_artificial() && cell->reference_cell().is_simplex())
         all[cell->active_cell_index()] = nodes_on_manifolds<dim>(cell);
     nodes = std::make_shared<const std::vector<std::vector<Point<dim>>>>(
       std::move(all));

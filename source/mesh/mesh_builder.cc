@@ -17,6 +17,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -41,6 +42,7 @@ namespace stickslip
       body.is_rigid   = parameters.moves_as_a_whole();
       body.parameters = parameters;
       body.boundaries = body_mesh.boundaries;
+      body.cells      = reference_cell_of(body_mesh.triangulation);
       const auto ids  = body_mesh.triangulation.get_boundary_ids();
       body.boundary_ids.insert(ids.begin(), ids.end());
       bodies.bodies.push_back(body);
@@ -57,12 +59,12 @@ namespace stickslip
     /// What can be refined locally?
     void
     check_local_refinement(const std::string                  &path,
-                           const ReferenceCell                &cell,
+                           const std::optional<ReferenceCell> &simplices,
                            const Partitioner                   partitioner,
                            const std::vector<PeriodicRequest> &periodic)
     {
-      if (cell.is_simplex())
-        throw UserError(path + ": " + plural(cell) +
+      if (simplices)
+        throw UserError(path + ": " + plural(*simplices) +
                         " cannot be refined locally, only quadrilaterals and "
                         "hexahedra. Take 'Refinements' of the bodies, or a "
                         "graded mesh.");
@@ -297,18 +299,19 @@ namespace stickslip
 
     Mesh<dim>                mesh;
     JoinedMesh<dim>          joined_mesh;
-    KindsOfCells             kinds;
     std::vector<std::string> curved_bodies;
     MeshFiles                files(parameters.input_directory, communicator);
     const MeshSize           size(dim, communicator);
     // Tools, whose cell is but a place for their motion, go with any kind.
+    double                       n_simplices = 0.;
+    std::optional<ReferenceCell> simplices; // none
     for (const bool tools : {false, true})
       for (auto [name, body] : body_parameters)
         {
           if (body.is_tool() != tools)
             continue;
-          if (tools && !kinds.empty())
-            body.simplices = kinds.front().second.is_simplex();
+          if (tools && !mesh.bodies.bodies.empty())
+            body.simplices = mesh.bodies.bodies.front().cells.is_simplex();
           const std::string path = "Bodies/" + name;
           body.check(path);
           const auto body_mesh = make_body_mesh<dim>(body, path, files, size);
@@ -317,19 +320,22 @@ namespace stickslip
               mesh.warnings.push_back(warning);
           if (body_mesh->curved_cells)
             curved_bodies.push_back(name);
-          kinds.emplace_back(name, reference_cell_of(body_mesh->triangulation));
           append_body(name, body, *body_mesh, mesh.bodies, joined_mesh);
+          const ReferenceCell cells = mesh.bodies.bodies.back().cells;
+          if (!cells.is_simplex())
+            continue;
+          simplices = cells;
+          n_simplices += body_mesh->triangulation.n_active_cells();
         }
 
     if (parameters.degree == 1 && !curved_bodies.empty())
       mesh.warnings.push_back(warning_about_straight_sides(curved_bodies));
 
-    const ReferenceCell cell          = common_cell(kinds);
-    const bool          has_simplices = cell.is_simplex();
-    if (has_simplices && !periodic_requests.empty())
+    if (simplices && !periodic_requests.empty())
       throw UserError(periodic_requests.front().parameter_path +
-                      ": periodic boundaries of " + plural(cell) +
-                      " are not available, only of " +
+                      ": periodic boundaries are not available in a model "
+                      "with " +
+                      plural(*simplices) + ", only of " +
                       plural(ReferenceCells::get_hypercube<dim>()) + ".");
 
     mesh.periodic_boundaries =
@@ -338,11 +344,13 @@ namespace stickslip
 
     // p4est knows no simplices
     const bool with_metis =
-      has_simplices || parameters.partitioner == Partitioner::metis;
+      simplices || parameters.partitioner == Partitioner::metis;
+    const double share_of_simplices = n_simplices / joined_mesh.n_cells();
     size.check_refinements(joined_mesh.n_cells(),
                            parameters.global_refinements,
-                           has_simplices ? parameters.bytes_per_simplex
-                                         : parameters.bytes_per_cell,
+                           share_of_simplices * parameters.bytes_per_simplex +
+                             (1. - share_of_simplices) *
+                               parameters.bytes_per_cell,
                            with_metis,
                            "Mesh/Global refinements");
     const auto       &refinements        = parameters.refinements;
@@ -351,7 +359,7 @@ namespace stickslip
                                              : refinements.front().path;
     if (!path_of_refinement.empty())
       check_local_refinement(path_of_refinement,
-                             cell,
+                             simplices,
                              parameters.partitioner,
                              periodic_requests);
     const double bytes_per_cell = parameters.bytes_per_cell;

@@ -296,26 +296,6 @@ namespace stickslip
 
 
 
-  ReferenceCell
-  common_cell(const KindsOfCells &kinds)
-  {
-    const auto &[first_name, first] = kinds.front();
-    for (const auto &[name, cell] : kinds)
-      if (cell != first)
-        {
-          const auto &simple = cell.is_simplex() ? first_name : name;
-          throw UserError(
-            "Bodies/" + first_name + " is made of " + plural(first) +
-            ", Bodies/" + name + " of " + plural(cell) +
-            ": all bodies of a model have to be made of one kind of cells. "
-            "'Simplices = true' in Bodies/" +
-            simple + " cuts its cells.");
-        }
-    return first;
-  }
-
-
-
   template std::string
   coordinates_in_message(const Point<2> &);
   template std::string

@@ -376,8 +376,8 @@ namespace stickslip
     else
       inspection.warnings.push_back(
         "only " + usable_cells_in_words(inspection.dimension) +
-        " can be used in a case, of one kind in a body; interfaces were not "
-        "looked at");
+        " can be used in a case, of one kind in a body ('Mesh group'); "
+        "interfaces were not looked at");
     add_warnings(file, inspection);
     return inspection;
   }

@@ -25,7 +25,8 @@ namespace stickslip
                expert(
                  "How cells are distributed: p4est (along a space-filling "
                  "curve) or METIS "
-                 "(graph partitioning; triangles and tetrahedra always)."));
+                 "(graph partitioning; models with triangles or tetrahedra "
+                 "always)."));
     prm.add_parameter("Global refinements",
                       global_refinements,
                       "Uniform refinements of all bodies, after those of each "

@@ -1,5 +1,6 @@
 #include <stickslip/mesh/reference_cells.h>
 
+#include <stickslip/base/over_ranks.h>
 #include <stickslip/base/user_error.h>
 
 #include <deal.II/base/geometry_info.h>
@@ -8,6 +9,7 @@
 #include <deal.II/fe/fe_dgq.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_simplex_p.h>
+#include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping_fe.h>
 #include <deal.II/fe/mapping_q.h>
 
@@ -23,6 +25,26 @@ namespace stickslip
     const auto &cells = triangulation.get_reference_cells();
     AssertDimension(cells.size(), 1);
     return cells.front();
+  }
+
+
+
+  template <int dim>
+  std::vector<ReferenceCell>
+  kinds_of_cells(const Triangulation<dim> &triangulation)
+  {
+    bool has_simplices = false, has_others = false;
+    // not get_reference_cells(): in deal.II 9.4 ranks of a fully distributed
+    // triangulation may miss a kind that they have
+    for (const auto &cell : triangulation.active_cell_iterators())
+      (cell->reference_cell().is_simplex() ? has_simplices : has_others) = true;
+    const MPI_Comm             communicator = triangulation.get_communicator();
+    std::vector<ReferenceCell> kinds;
+    if (any_rank(has_others, communicator))
+      kinds.push_back(ReferenceCells::get_hypercube<dim>());
+    if (any_rank(has_simplices, communicator))
+      kinds.push_back(ReferenceCells::get_simplex<dim>());
+    return kinds;
   }
 
 
@@ -57,9 +79,38 @@ namespace stickslip
       return std::make_unique<FE_Q<dim>>(degree);
     if (degree > highest_of_simplices)
       throw UserError("Degree is " + std::to_string(degree) +
-                      ", but the bodies are made of " + plural(cell) +
+                      ", but there are bodies of " + plural(cell) +
                       ": these have degree 1 or 2.");
     return std::make_unique<FE_SimplexP<dim>>(degree);
+  }
+
+
+
+  template <int dim>
+  hp::FECollection<dim>
+  make_vector_elements(const std::vector<ReferenceCell> &kinds,
+                       const unsigned int                degree)
+  {
+    hp::FECollection<dim> elements;
+    for (const ReferenceCell &kind : kinds)
+      elements.push_back(FESystem<dim>(*make_element<dim>(kind, degree), dim));
+    return elements;
+  }
+
+
+
+  template <int dim>
+  void
+  distribute_dofs(const hp::FECollection<dim> &elements,
+                  DoFHandler<dim>             &dof_handler)
+  {
+    if (elements.size() > 1)
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (unsigned int kind = 0; kind < elements.size(); ++kind)
+            if (elements[kind].reference_cell() == cell->reference_cell())
+              cell->set_active_fe_index(kind);
+    dof_handler.distribute_dofs(elements);
   }
 
 
@@ -178,6 +229,12 @@ namespace stickslip
 
 #define INSTANTIATE(dim)                                                        \
   template ReferenceCell reference_cell_of(const Triangulation<dim> &);         \
+  template std::vector<ReferenceCell> kinds_of_cells(                           \
+    const Triangulation<dim> &);                                                \
+  template hp::FECollection<dim> make_vector_elements(                          \
+    const std::vector<ReferenceCell> &, const unsigned int);                    \
+  template void          distribute_dofs(const hp::FECollection<dim> &,         \
+                                         DoFHandler<dim> &);                    \
   template ReferenceCell faces_of<dim>(const ReferenceCell &);                  \
   template std::unique_ptr<FiniteElement<dim>> make_element(                    \
     const ReferenceCell &, const unsigned int);                                 \

@@ -45,8 +45,7 @@ namespace stickslip
             patches.back().patch_index = patches.size() - 1;
           }
         if constexpr (dim == 3)
-          if (!faces.empty() && faces[0].degree > 1 &&
-              faces[0].cell == ReferenceCells::Triangle)
+          if (!faces.empty() && faces[0].degree > 1)
             cut_into_linear_simplices(patches);
       }
 
@@ -269,7 +268,8 @@ namespace stickslip
     for (const ContactFaceResult<dim> &face : faces)
       {
         degree = std::max(degree, face.degree);
-        cell   = face.cell;
+        if (cell != ReferenceCells::Triangle) // if there is any
+          cell = face.cell;
       }
     degree = Utilities::MPI::max(degree, communicator);
 
@@ -278,6 +278,7 @@ namespace stickslip
     flags.compression_level   = decltype(flags.compression_level)::best_speed;
     flags.print_date_and_time = false;
     // deal.II 9.4 has no node numbering of Lagrange curves: subdivided lines.
+    // Nor can it write curved quadrilaterals beside triangles.
     flags.write_higher_order_cells = dim == 3 && higher_order_cells &&
                                      degree > 1 &&
                                      cell != ReferenceCells::Triangle;

@@ -1,5 +1,9 @@
 #include <stickslip/output/field_output.h>
 
+#include <stickslip/base/user_error.h>
+
+#include <stickslip/mesh/reference_cells.h>
+
 #include <stickslip/output/linear_simplices.h>
 #include <stickslip/output/stress_projection.h>
 
@@ -65,6 +69,25 @@ namespace stickslip
   {
   public:
     using CellIterator = typename Triangulation<dim>::cell_iterator;
+
+    /// After build_patches(): deforms the grid. The displacement is the first
+    /// of the data.
+    void
+    add_displacement_to_positions()
+    {
+      for (auto &patch : this->patches)
+        {
+          // Where there are positions, they are the last rows: deal.II's
+          // convention. Else the data are those of the vertices.
+          const unsigned int positions = patch.data.n_rows() - dim;
+          for (unsigned int i = 0; i < patch.data.n_cols(); ++i)
+            for (unsigned int d = 0; d < dim; ++d)
+              if (patch.points_are_available)
+                patch.data(positions + d, i) += patch.data(d, i);
+              else
+                patch.vertices[i][d] += patch.data(d, i);
+        }
+    }
 
     /// After build_patches() with 2 subdivisions.
     void
@@ -170,9 +193,9 @@ namespace stickslip
 
 
 
-    /// From the reference cells to the deformed ones. Collective.
+    /// From the reference cells, of one kind, to the deformed ones. Collective.
     template <int dim>
-    std::unique_ptr<Mapping<dim>>
+    hp::MappingCollection<dim>
     mapping_of_deformed(const Mapping<dim>    &mapping,
                         const DoFHandler<dim> &dof_handler,
                         const LA::Vector      &displacement,
@@ -182,11 +205,11 @@ namespace stickslip
           dof_handler.get_triangulation().has_hanging_nodes())
         {
           positions = nodal_positions(mapping, dof_handler, displacement);
-          return std::make_unique<MappingFEField<dim, dim, LA::Vector>>(
-            dof_handler, positions);
+          return hp::MappingCollection<dim>(
+            MappingFEField<dim, dim, LA::Vector>(dof_handler, positions));
         }
-      return std::make_unique<MappingQEulerian<dim, LA::Vector>>(
-        dof_handler.get_fe().degree, dof_handler, displacement);
+      return hp::MappingCollection<dim>(MappingQEulerian<dim, LA::Vector>(
+        dof_handler.get_fe().degree, dof_handler, displacement));
     }
   } // namespace
 
@@ -202,7 +225,15 @@ namespace stickslip
     , is_vtu(parameters.format == FieldFormat::vtu)
     , bodies(bodies)
     , series(parameters, "solution", communicator)
-  {}
+  {
+    for (const Body &body : bodies.bodies)
+      if (!is_vtu && body.cells != bodies.bodies.front().cells)
+        throw UserError(
+          "Output/Format = hdf5 writes cells of one kind only, "
+          "but the bodies are made of " +
+          plural(bodies.bodies.front().cells) + " and " + plural(body.cells) +
+          ". Take 'vtu'.");
+  }
 
 
 
@@ -217,16 +248,19 @@ namespace stickslip
 
   template <int dim>
   void
-  FieldOutput<dim>::write(const unsigned int         step,
-                          const double               time,
-                          const Mapping<dim>        &mapping,
-                          const DoFHandler<dim>     &dof_handler,
-                          const LA::Vector          &displacement,
-                          const MaterialFields<dim> &material,
-                          const NamedCellValues     &of_cells)
+  FieldOutput<dim>::write(const unsigned int                step,
+                          const double                      time,
+                          const hp::MappingCollection<dim> &mapping,
+                          const DoFHandler<dim>            &dof_handler,
+                          const LA::Vector                 &displacement,
+                          const MaterialFields<dim>        &material,
+                          const NamedCellValues            &of_cells)
   {
-    const unsigned int    degree = dof_handler.get_fe().degree;
-    const ReferenceCell   cell   = dof_handler.get_fe().reference_cell();
+    const unsigned int    degree        = dof_handler.get_fe().degree;
+    const auto           &elements      = dof_handler.get_fe_collection();
+    const bool            is_mixed      = elements.size() > 1;
+    const ReferenceCell   cell          = elements[0].reference_cell();
+    const bool            has_simplices = is_mixed || cell.is_simplex();
     const CellFields<dim> cell_fields(dof_handler.get_triangulation(), bodies);
     std::unique_ptr<StressProjection<dim>> projection;
 
@@ -258,20 +292,23 @@ namespace stickslip
     DataOutBase::VtkFlags flags;
     flags.compression_level   = decltype(flags.compression_level)::best_speed;
     flags.print_date_and_time = false;
-    flags.write_higher_order_cells = is_vtu && degree > 1 && !cell.is_simplex();
+    // deal.II has no curved cells beside others
+    flags.write_higher_order_cells = is_vtu && degree > 1 && !has_simplices;
     data_out.set_flags(flags);
 
-    LA::Vector                          positions; // of the deformed nodes
-    const std::unique_ptr<Mapping<dim>> deformed_mapping =
-      deformed
-        ? mapping_of_deformed(mapping, dof_handler, displacement, positions)
-        : nullptr;
+    LA::Vector                       positions; // of the deformed nodes
+    const hp::MappingCollection<dim> mapping_of_grid =
+      deformed && !is_mixed
+        ? mapping_of_deformed(mapping[0], dof_handler, displacement, positions)
+        : mapping;
     const auto build = [&](const std::size_t begin, const std::size_t end) {
       data_out.select(cells, begin, end);
-      data_out.build_patches(deformed ? *deformed_mapping : mapping,
+      data_out.build_patches(mapping_of_grid,
                              degree,
                              DataOut<dim>::curved_inner_cells);
-      if (cell.is_simplex() && degree > 1)
+      if (deformed && is_mixed) // deal.II has no such mapping for two kinds
+        data_out.add_displacement_to_positions();
+      if (has_simplices && degree > 1)
         data_out.cut_quadratic_simplices();
     };
     const bool is_curved = dim == 3 && flags.write_higher_order_cells;

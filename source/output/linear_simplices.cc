@@ -39,6 +39,12 @@ namespace stickslip
     std::vector<DataOutBase::Patch<dim, spacedim>> parts;
     for (const auto &patch : patches)
       {
+        if (patch.reference_cell != ReferenceCells::get_simplex<dim>())
+          {
+            parts.push_back(patch);
+            parts.back().patch_index = parts.size() - 1;
+            continue;
+          }
         Assert(patch.points_are_available, ExcInternalError());
         const unsigned int n_values = patch.data.n_rows() - spacedim;
         for (const auto &points : parts_of_quadratic_simplex<dim>())

@@ -123,7 +123,8 @@ namespace stickslip
                format,
                all_field_formats(),
                "'vtu': VTU files with PVTU and PVD records. 'hdf5': one "
-               "HDF5 file per step and an XDMF record. "
+               "HDF5 file per step and an XDMF record, of bodies with one "
+               "kind of cells. "
                "Displacements of degree 2 and more are curved Lagrange cells "
                "in VTU (ParaView 5.5 or newer), subdivided linear ones in HDF5 "
                "and on contact surfaces of 2D bodies.");

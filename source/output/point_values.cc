@@ -92,8 +92,8 @@ namespace stickslip
 
   template <int dim>
   void
-  PointValues<dim>::locate(const Mapping<dim>    &mapping,
-                           const DoFHandler<dim> &dof_handler)
+  PointValues<dim>::locate(const hp::MappingCollection<dim> &mapping,
+                           const DoFHandler<dim>            &dof_handler)
   {
     locations.clear();
     std::vector<PointOffer> offers(points.size());
@@ -136,8 +136,8 @@ namespace stickslip
 
   template <int dim>
   typename PointValues<dim>::Location
-  PointValues<dim>::locate_locally(const NamedPoint      &point,
-                                   const Mapping<dim>    &mapping,
+  PointValues<dim>::locate_locally(const NamedPoint                 &point,
+                                   const hp::MappingCollection<dim> &mapping,
                                    const DoFHandler<dim> &dof_handler) const
   {
     Location   best;
@@ -153,7 +153,8 @@ namespace stickslip
           try
             {
               unit_point =
-                mapping.transform_real_to_unit_cell(cell, point.position);
+                mapping[cell->active_fe_index()].transform_real_to_unit_cell(
+                  cell, point.position);
             }
           catch (const typename Mapping<dim>::ExcTransformationFailed &)
             {
@@ -179,17 +180,17 @@ namespace stickslip
 
   template <int dim>
   std::vector<Tensor<1, dim>>
-  PointValues<dim>::evaluate(const DoFHandler<dim> &dof_handler,
-                             const LA::Vector      &displacement) const
+  PointValues<dim>::evaluate(const LA::Vector &displacement) const
   {
     AssertDimension(locations.size(), points.size());
-    const FiniteElement<dim> &element = dof_handler.get_fe();
-    Vector<double>            cell_values(element.n_dofs_per_cell());
-    std::vector<double>       values(points.size() * dim, 0.);
+    Vector<double>      cell_values;
+    std::vector<double> values(points.size() * dim, 0.);
 
     for (unsigned int p = 0; p < points.size(); ++p)
       if (locations[p].cell.state() == IteratorState::valid)
         {
+          const FiniteElement<dim> &element = locations[p].cell->get_fe();
+          cell_values.reinit(element.n_dofs_per_cell());
           locations[p].cell->get_dof_values(displacement, cell_values);
           for (unsigned int i = 0; i < cell_values.size(); ++i)
             values[p * dim + element.system_to_component_index(i).first] +=
@@ -211,7 +212,6 @@ namespace stickslip
   template <int dim>
   void
   PointValues<dim>::add_material_state(const unsigned int         p,
-                                       const FiniteElement<dim>  &element,
                                        const MaterialFields<dim> &material,
                                        std::vector<NamedValue>   &values) const
   {
@@ -222,7 +222,8 @@ namespace stickslip
     if (locations[p].cell.state() == IteratorState::valid)
       {
         const auto cell_values = material.evaluate(locations[p].cell);
-        const auto places =
+        const FiniteElement<dim> &element = locations[p].cell->get_fe();
+        const auto                places =
           cell_quadrature<dim>(element.reference_cell(), element.degree)
             .get_points();
         const unsigned int q =
@@ -260,22 +261,20 @@ namespace stickslip
   template <int dim>
   std::vector<typename PointValues<dim>::NamedValue>
   PointValues<dim>::named_values(
-    const DoFHandler<dim>                     &dof_handler,
     const LA::Vector                          &displacement,
     const MaterialFields<dim>                 &material,
     const std::vector<ContactFaceResult<dim>> &faces) const
   {
     constexpr std::array<const char *, 3> axis{{"_x", "_y", "_z"}};
-    const std::vector<Tensor<1, dim>>     displacements =
-      evaluate(dof_handler, displacement);
-    std::vector<NamedValue> values;
+    const std::vector<Tensor<1, dim>> displacements = evaluate(displacement);
+    std::vector<NamedValue>           values;
     for (unsigned int p = 0; p < points.size(); ++p)
       for (unsigned int d = 0; d < dim; ++d)
         values.push_back(
           {"displacement", points[p].name + axis[d], displacements[p][d]});
     for (unsigned int p = 0; p < points.size(); ++p)
       if (points[p].material_state)
-        add_material_state(p, dof_handler.get_fe(), material, values);
+        add_material_state(p, material, values);
     add_contact(faces, values);
     return values;
   }
@@ -316,7 +315,6 @@ namespace stickslip
   void
   PointValues<dim>::write(const unsigned int         step,
                           const double               time,
-                          const DoFHandler<dim>     &dof_handler,
                           const LA::Vector          &displacement,
                           const MaterialFields<dim> &material,
                           const std::vector<ContactFaceResult<dim>> &faces)
@@ -325,8 +323,7 @@ namespace stickslip
       return;
     table.add("step", step);
     table.add("time", time);
-    for (const NamedValue &result :
-         named_values(dof_handler, displacement, material, faces))
+    for (const NamedValue &result : named_values(displacement, material, faces))
       table.add(result.name, result.value);
     table.finish_row();
   }

@@ -1,5 +1,6 @@
 #include <stickslip/output/stress_projection.h>
 
+#include <stickslip/mesh/by_kind.h>
 #include <stickslip/mesh/reference_cells.h>
 
 #include <deal.II/fe/fe_values.h>
@@ -117,37 +118,44 @@ namespace stickslip
 
   template <int dim>
   StressProjection<dim>::StressProjection(
-    const Mapping<dim>        &mapping,
-    const DoFHandler<dim>     &displacement_dof_handler,
-    const MaterialFields<dim> &material)
+    const hp::MappingCollection<dim> &mapping,
+    const DoFHandler<dim>            &displacement_dof_handler,
+    const MaterialFields<dim>        &material)
     : history_names(material.history_names)
     , dof_handler(displacement_dof_handler.get_triangulation())
   {
-    const auto &displacement = displacement_dof_handler.get_fe();
-    const std::unique_ptr<FiniteElement<dim>> space =
-      make_discontinuous_element<dim>(displacement.reference_cell());
-    const FiniteElement<dim> &element = *space;
-    dof_handler.distribute_dofs(element);
+    hp::FECollection<dim> elements;
+    for (const auto &displacement :
+         displacement_dof_handler.get_fe_collection())
+      elements.push_back(
+        *make_discontinuous_element<dim>(displacement.reference_cell()));
+    distribute_dofs(elements, dof_handler);
     const IndexSet &owned = dof_handler.locally_owned_dofs();
     fields.assign(names().size(), Field(owned, dof_handler.get_communicator()));
 
-    const Quadrature<dim> quadrature =
-      cell_quadrature<dim>(displacement.reference_cell(), displacement.degree);
-    FEValues<dim> fe_values(mapping,
-                            element,
-                            quadrature,
-                            update_values | update_JxW_values);
+    const ByKind<FEValues<dim>> values_of(
+      elements,
+      [&](const FiniteElement<dim> &element, const unsigned int kind) {
+        return std::make_unique<FEValues<dim>>(
+          mapping[kind],
+          element,
+          cell_quadrature<dim>(element.reference_cell(),
+                               displacement_dof_handler.get_fe().degree),
+          update_values | update_JxW_values);
+      });
 
-    std::vector<types::global_dof_index> dof_indices(element.n_dofs_per_cell());
+    std::vector<types::global_dof_index> dof_indices;
     std::vector<double>                  node_values(fields.size());
     for (const auto &cell : displacement_dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {
           const auto cell_values = material.evaluate(cell);
 
+          FEValues<dim> &fe_values = values_of[cell];
           fe_values.reinit(typename Triangulation<dim>::cell_iterator(cell));
           const FullMatrix<double> projection =
             cell_projection_matrix(fe_values);
+          dof_indices.resize(fe_values.dofs_per_cell);
           typename DoFHandler<dim>::active_cell_iterator(
             &dof_handler.get_triangulation(),
             cell->level(),

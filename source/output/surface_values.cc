@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <sstream>
 
 namespace stickslip
@@ -143,9 +144,10 @@ namespace stickslip
     std::vector<SurfaceValues<dim>> result(points.size());
     if (points.empty())
       return result;
-    const FaceShape<dim> shape =
-      faces.empty() ? FaceShape<dim>(1)
-                    : FaceShape<dim>(faces[0].degree, faces[0].cell);
+    // of one kind on the surface of a pair
+    std::map<unsigned int, FaceShape<dim>> shape_of_pair;
+    for (const ContactFaceResult<dim> &face : faces)
+      shape_of_pair.try_emplace(face.pair, face.degree, face.cell);
 
     std::vector<std::vector<Place<dim>>> places(points.size());
     std::vector<double>                  nearest(points.size(), far);
@@ -153,7 +155,7 @@ namespace stickslip
       for (const ContactFaceResult<dim> &face : faces)
         {
           places[p].push_back(face.pair == points[p].pair
-                                ? nearest_place(shape,
+                                ? nearest_place(shape_of_pair.at(face.pair),
                                                 face.reference_positions,
                                                 points[p].reference_position)
                                 : Place<dim>());
@@ -169,7 +171,10 @@ namespace stickslip
           refuse(points[p]);
         for (unsigned int f = 0; f < faces.size(); ++f)
           if (places[p][f].distance <= nearest[p] + same_distance)
-            add_values(shape, faces[f], places[p][f].xi, &sums[n_sums * p]);
+            add_values(shape_of_pair.at(faces[f].pair),
+                       faces[f],
+                       places[p][f].xi,
+                       &sums[n_sums * p]);
       }
     Utilities::MPI::sum(sums, communicator, sums);
     for (unsigned int p = 0; p < points.size(); ++p)

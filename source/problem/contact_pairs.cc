@@ -113,7 +113,9 @@ namespace stickslip
                               bodies.all_boundary_ids(slave_body),
                               bodies.all_boundary_ids(master_body),
                               {},
-                              bodies.cross_section};
+                              bodies.cross_section,
+                              bodies.bodies[slave_body].cells,
+                              bodies.bodies[master_body].cells};
         if (bodies.bodies[slave_body].parameters.is_tool())
           throw UserError("'" + path + "/Slave body = " + pair.slave_body +
                           "': a rigid tool has no contact points. Let it be "

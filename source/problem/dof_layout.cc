@@ -10,13 +10,12 @@ namespace stickslip
   DofLayout<dim>::DofLayout(
     const parallel::DistributedTriangulationBase<dim> &triangulation,
     const unsigned int                                 degree)
-    : cells(reference_cell_of(triangulation))
-    , owned_mapping(make_conforming_mapping(triangulation, degree))
-    , mapping(*owned_mapping)
-    , fe(*make_element<dim>(cells, degree), dim)
+    : kinds(kinds_of_cells(triangulation))
+    , mapping(make_conforming_mapping(triangulation, degree))
+    , elements(make_vector_elements<dim>(kinds, degree))
     , dof_handler(triangulation)
   {
-    dof_handler.distribute_dofs(fe);
+    distribute_dofs(elements, dof_handler);
     owned = dof_handler.locally_owned_dofs();
     DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
   }

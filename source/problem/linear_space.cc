@@ -12,11 +12,11 @@ namespace stickslip
   LinearSpace<dim>::LinearSpace(const DofLayout<dim> &fine,
                                 const MPI_Comm       &communicator)
     : fine(fine)
-    , fe(*make_element<dim>(fine.cells, 1), dim)
+    , elements(make_vector_elements<dim>(fine.kinds, 1))
     , dof_handler(fine.dof_handler.get_triangulation())
     , communicator(communicator)
   {
-    dof_handler.distribute_dofs(fe);
+    distribute_dofs(elements, dof_handler);
     owned = dof_handler.locally_owned_dofs();
   }
 
@@ -73,8 +73,7 @@ namespace stickslip
                                const Visitor     &visit) const
   {
     std::vector<bool>                    done(fine.owned.n_elements(), false);
-    std::vector<types::global_dof_index> fine_dofs(fine.fe.n_dofs_per_cell());
-    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    std::vector<types::global_dof_index> fine_dofs, dofs;
     std::map<types::global_dof_index, double> row;
     std::vector<types::global_dof_index>      columns;
     std::vector<double>                       values;
@@ -87,6 +86,10 @@ namespace stickslip
           cell->level(),
           cell->index(),
           &dof_handler);
+        const FiniteElement<dim> &fe      = coarse->get_fe();
+        const FiniteElement<dim> &fine_fe = cell->get_fe();
+        fine_dofs.resize(fine_fe.n_dofs_per_cell());
+        dofs.resize(fe.n_dofs_per_cell());
         cell->get_dof_indices(fine_dofs);
         coarse->get_dof_indices(dofs);
         for (unsigned int i = 0; i < fine_dofs.size(); ++i)
@@ -95,8 +98,8 @@ namespace stickslip
                 done[fine.owned.index_within_set(fine_dofs[i])])
               continue;
             done[fine.owned.index_within_set(fine_dofs[i])] = true;
-            const unsigned int c = fine.fe.system_to_component_index(i).first;
-            const Point<dim>   point = fine.fe.unit_support_point(i);
+            const unsigned int c = fine_fe.system_to_component_index(i).first;
+            const Point<dim>   point = fine_fe.unit_support_point(i);
             const bool held = fine_constraints.is_constrained(fine_dofs[i]);
             row.clear();
             for (const unsigned int v : cell->vertex_indices())

@@ -22,12 +22,12 @@ namespace stickslip
     dofs_of_rigid_bodies(const DofLayout<dim> &dofs, const Bodies &bodies)
     {
       IndexSet                             rigid(dofs.owned.size());
-      std::vector<types::global_dof_index> of_cell(
-        dofs.dof_handler.get_fe().n_dofs_per_cell());
+      std::vector<types::global_dof_index> of_cell;
       for (const auto &cell : dofs.dof_handler.active_cell_iterators())
         if (!cell->is_artificial() &&
             bodies.bodies[bodies.body_of(cell->material_id())].is_rigid)
           {
+            of_cell.resize(cell->get_fe().n_dofs_per_cell());
             cell->get_dof_indices(of_cell);
             rigid.add_indices(of_cell.begin(), of_cell.end());
           }

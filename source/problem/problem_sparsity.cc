@@ -62,10 +62,11 @@ namespace stickslip
          multipliers.locally_relevant()};
     // Trilinos' own patterns take twice as long to fill.
     BlockDynamicSparsityPattern          pattern(writable);
-    std::vector<types::global_dof_index> cell_dofs(dofs.fe.n_dofs_per_cell());
+    std::vector<types::global_dof_index> cell_dofs;
     for (const auto &cell : dofs.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {
+          cell_dofs.resize(cell->get_fe().n_dofs_per_cell());
           cell->get_dof_indices(cell_dofs);
           constraints.add_entries_local_to_global(cell_dofs, pattern, false);
         }

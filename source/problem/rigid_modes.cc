@@ -48,14 +48,13 @@ namespace stickslip
 
   template <int dim>
   NearNullSpace
-  rigid_modes(const Mapping<dim>              &mapping,
-              const DoFHandler<dim>           &dof_handler,
-              const Constraints               &constraints,
-              const Bodies                    &bodies,
-              const std::vector<unsigned int> &colours)
+  rigid_modes(const hp::MappingCollection<dim> &mapping,
+              const DoFHandler<dim>            &dof_handler,
+              const Constraints                &constraints,
+              const Bodies                     &bodies,
+              const std::vector<unsigned int>  &colours)
   {
     constexpr unsigned int n_modes   = RigidBodyModes<dim>::n_modes;
-    const auto            &fe        = dof_handler.get_fe();
     const IndexSet        &owned     = dof_handler.locally_owned_dofs();
     const std::size_t      n_owned   = owned.n_elements();
     unsigned int           n_colours = 1;
@@ -77,7 +76,7 @@ namespace stickslip
     NearNullSpace space;
     space.n_vectors = n_modes * n_colours;
     space.values.assign(space.n_vectors * n_owned, 0.);
-    std::vector<types::global_dof_index> dofs(fe.n_dofs_per_cell());
+    std::vector<types::global_dof_index> dofs;
     std::vector<bool>                    is_done(n_owned, false);
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
@@ -87,6 +86,8 @@ namespace stickslip
           colours[bodies.body_of(cell->material_id())];
         if (colour == numbers::invalid_unsigned_int)
           continue;
+        const FiniteElement<dim> &fe = cell->get_fe();
+        dofs.resize(fe.n_dofs_per_cell());
         cell->get_dof_indices(dofs);
         for (unsigned int i = 0; i < dofs.size(); ++i)
           {
@@ -98,8 +99,8 @@ namespace stickslip
               continue;
             is_done[index] = true;
             const Point<dim> position =
-              mapping.transform_unit_to_real_cell(cell,
-                                                  fe.unit_support_point(i));
+              mapping[cell->active_fe_index()].transform_unit_to_real_cell(
+                cell, fe.unit_support_point(i));
             const unsigned int component =
               fe.system_to_component_index(i).first;
             double *const value = space.values.data() + index;
@@ -118,15 +119,15 @@ namespace stickslip
     return space;
   }
 
-#define INSTANTIATE(dim)                                      \
-  template std::vector<unsigned int> colour_bodies(           \
-    const Bodies &,                                           \
-    const std::vector<std::unique_ptr<ContactPair<dim>>> &,   \
-    const std::vector<bool> &);                               \
-  template NearNullSpace rigid_modes(const Mapping<dim> &,    \
-                                     const DoFHandler<dim> &, \
-                                     const Constraints &,     \
-                                     const Bodies &,          \
+#define INSTANTIATE(dim)                                                 \
+  template std::vector<unsigned int> colour_bodies(                      \
+    const Bodies &,                                                      \
+    const std::vector<std::unique_ptr<ContactPair<dim>>> &,              \
+    const std::vector<bool> &);                                          \
+  template NearNullSpace rigid_modes(const hp::MappingCollection<dim> &, \
+                                     const DoFHandler<dim> &,            \
+                                     const Constraints &,                \
+                                     const Bodies &,                     \
                                      const std::vector<unsigned int> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -74,7 +74,7 @@ namespace stickslip
     sparsity_is_new = false;
     if (new_constraints)
       {
-        const bool is_linear = dofs.fe.degree == 1;
+        const bool is_linear = dofs.degree() == 1;
         if (!is_linear)
           {
             if (!linear_space)

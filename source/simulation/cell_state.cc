@@ -129,7 +129,6 @@ namespace stickslip
   CellState<dim>::CellState(ContactProblem<dim> &problem)
     : problem(problem)
     , names(problem.layout().dof_handler.get_triangulation())
-    , dof_indices(problem.layout().fe.dofs_per_cell)
   {
     for (const auto &pair : problem.contact().contact_pairs())
       {
@@ -201,6 +200,7 @@ namespace stickslip
   void
   CellState<dim>::walk(const CellIterator &cell, Cursor &cursor, Fields &fields)
   {
+    dof_indices.resize(cell->get_fe().n_dofs_per_cell());
     cell->get_dof_indices(dof_indices);
     for (const auto i : dof_indices)
       {

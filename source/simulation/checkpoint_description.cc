@@ -177,7 +177,7 @@ namespace stickslip
         std::to_string(dim) + (problem.bodies().cross_section.is_axisymmetric
                                  ? ", axisymmetric"
                                  : ""));
-    add("degree", std::to_string(layout.fe.degree));
+    add("degree", std::to_string(layout.degree()));
     add("cells",
         std::to_string(
           dof_handler.get_triangulation().n_global_active_cells()));

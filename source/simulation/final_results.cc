@@ -91,7 +91,6 @@ namespace stickslip
     FinalResults results;
     const auto   faces = contact_results(problem.contact());
     for (const auto &result : point_values.named_values(
-           problem.layout().dof_handler,
            problem.ghosted_displacement(),
            material_fields(problem.solid(), problem.ghosted_displacement()),
            faces))

@@ -73,8 +73,7 @@ namespace stickslip
                           problem.contact().contact_pairs(),
                           displacement);
       }
-    point_values.write(
-      step, time, layout.dof_handler, displacement, material, faces);
+    point_values.write(step, time, displacement, material, faces);
   }
 
   template class RunOutput<2>;

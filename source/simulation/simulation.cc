@@ -89,11 +89,12 @@ namespace stickslip
       output.resume(steps().time());
     prepare_run_files(parameters, start, communicator);
     log.open(start.goes_on);
-    for (const auto &list : {mesh.warnings,
-                             warnings_about_locking(parameters.materials,
-                                                    mesh.bodies,
-                                                    problem().layout().fe),
-                             warnings.of_parameters()})
+    for (const auto &list :
+         {mesh.warnings,
+          warnings_about_locking(parameters.materials,
+                                 mesh.bodies,
+                                 problem().layout().degree()),
+          warnings.of_parameters()})
       for (const std::string &text : list)
         warn(text);
     if (start.checkpoint.empty())

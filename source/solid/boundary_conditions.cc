@@ -265,11 +265,11 @@ namespace stickslip
   template <int dim>
   void
   BoundaryConditions<dim>::add_prescribed_displacements(
-    const Mapping<dim>    &mapping,
-    const DoFHandler<dim> &dof_handler,
-    const double           time,
-    const LA::Vector      &u,
-    Constraints           &constraints) const
+    const hp::MappingCollection<dim> &mapping,
+    const DoFHandler<dim>            &dof_handler,
+    const double                      time,
+    const LA::Vector                 &u,
+    Constraints                      &constraints) const
   {
     const MPI_Comm communicator = dof_handler.get_communicator();
 
@@ -357,8 +357,8 @@ namespace stickslip
   template <int dim>
   void
   BoundaryConditions<dim>::measure_distributed_forces(
-    const Mapping<dim>    &mapping,
-    const DoFHandler<dim> &dof_handler) const
+    const hp::MappingCollection<dim> &mapping,
+    const DoFHandler<dim>            &dof_handler) const
   {
     for (const Load<dim> &load : all_loads)
       if (load.distribution)

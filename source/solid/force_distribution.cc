@@ -1,5 +1,6 @@
 #include <stickslip/solid/force_distribution.h>
 
+#include <stickslip/mesh/by_kind.h>
 #include <stickslip/mesh/reference_cells.h>
 
 #include <stickslip/solid/direction_parameters.h>
@@ -11,6 +12,7 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace stickslip
@@ -66,7 +68,7 @@ namespace stickslip
     /// and with the area that each stands for.
     template <int dim>
     void
-    for_each_point(const Mapping<dim>                      &mapping,
+    for_each_point(const hp::MappingCollection<dim>        &mapping,
                    const DoFHandler<dim>                   &dof_handler,
                    const std::set<types::boundary_id>      &boundary,
                    const CrossSection                      &section,
@@ -75,19 +77,23 @@ namespace stickslip
                                             const unsigned int,
                                             const double)> &at_point)
     {
-      const auto       &fe = dof_handler.get_fe();
-      FEFaceValues<dim> values(
-        mapping,
-        fe,
-        gauss_quadrature<dim - 1>(faces_of<dim>(fe.reference_cell()),
-                                  fe.degree + 2),
-        flags | update_quadrature_points | update_JxW_values);
+      const ByKind<FEFaceValues<dim>> values_of(
+        dof_handler.get_fe_collection(),
+        [&](const FiniteElement<dim> &fe, const unsigned int kind) {
+          return std::make_unique<FEFaceValues<dim>>(
+            mapping[kind],
+            fe,
+            gauss_quadrature<dim - 1>(faces_of<dim>(fe.reference_cell()),
+                                      fe.degree + 2),
+            flags | update_quadrature_points | update_JxW_values);
+        });
       for (const auto &cell : dof_handler.active_cell_iterators())
         if (cell->is_locally_owned() && cell->at_boundary())
           for (const unsigned int f : cell->face_indices())
             if (cell->face(f)->at_boundary() &&
                 boundary.count(cell->face(f)->boundary_id()) > 0)
               {
+                FEFaceValues<dim> &values = values_of[cell];
                 values.reinit(cell, f);
                 for (const unsigned int q : values.quadrature_point_indices())
                   at_point(values,
@@ -130,7 +136,7 @@ namespace stickslip
   template <int dim>
   void
   ForceDistribution<dim>::measure(
-    const Mapping<dim>                             &mapping,
+    const hp::MappingCollection<dim>               &mapping,
     const DoFHandler<dim>                          &dof_handler,
     const std::set<types::boundary_id>             &boundary,
     const CrossSection                             &section,
@@ -221,7 +227,7 @@ namespace stickslip
   template <int dim>
   RigidReaction<dim>
   ForceDistribution<dim>::mean_motion(
-    const Mapping<dim>                 &mapping,
+    const hp::MappingCollection<dim>   &mapping,
     const DoFHandler<dim>              &dof_handler,
     const std::set<types::boundary_id> &boundary,
     const CrossSection                 &section,

@@ -45,16 +45,15 @@ namespace stickslip
 
   template <int dim>
   void
-  LinearStiffness<dim>::number_nodes(
-    const std::vector<std::array<unsigned int, dim>> &local,
-    const std::vector<CellIterator>                  &cells)
+  LinearStiffness<dim>::number_nodes(const std::vector<CellNodes>    &local,
+                                     const std::vector<CellIterator> &cells)
   {
     std::vector<types::global_dof_index> cell_dofs, firsts;
     for (const CellIterator &cell : cells)
       {
         cell_dofs.resize(cell->get_fe().n_dofs_per_cell());
         cell->get_dof_indices(cell_dofs);
-        for (const auto &components : local)
+        for (const auto &components : local[cell->active_fe_index()])
           firsts.push_back(cell_dofs[components[0]]);
       }
     std::sort(firsts.begin(), firsts.end());
@@ -69,24 +68,30 @@ namespace stickslip
 
   template <int dim>
   void
-  LinearStiffness<dim>::assemble(const FiniteElement<dim>        &fe,
+  LinearStiffness<dim>::assemble(const hp::FECollection<dim>     &elements,
                                  const std::vector<CellIterator> &cells,
                                  const CellStiffness             &stiffness_of)
   {
-    const unsigned int n = fe.base_element(0).n_dofs_per_cell();
     // deal.II searches a table for each of them
-    std::vector<std::array<unsigned int, dim>> local(n);
-    for (unsigned int a = 0; a < n; ++a)
-      for (unsigned int c = 0; c < dim; ++c)
-        local[a][c] = fe.component_to_system_index(c, a);
-    number_nodes(local, cells);
+    std::vector<CellNodes> nodes_of_kind(elements.size());
+    for (unsigned int kind = 0; kind < elements.size(); ++kind)
+      {
+        const FiniteElement<dim> &fe = elements[kind];
+        nodes_of_kind[kind].resize(fe.base_element(0).n_dofs_per_cell());
+        for (unsigned int a = 0; a < nodes_of_kind[kind].size(); ++a)
+          for (unsigned int c = 0; c < dim; ++c)
+            nodes_of_kind[kind][a][c] = fe.component_to_system_index(c, a);
+      }
+    number_nodes(nodes_of_kind, cells);
 
     const unsigned int                   n_nodes = dofs.size() / dim;
-    std::vector<types::global_dof_index> cell_dofs(fe.n_dofs_per_cell());
-    std::vector<types::global_dof_index> nodes(n);
+    std::vector<types::global_dof_index> cell_dofs, nodes;
     const auto                           read_nodes = [&](const auto &cell) {
+      const CellNodes &local = nodes_of_kind[cell->active_fe_index()];
+      cell_dofs.resize(dim * local.size());
+      nodes.resize(local.size());
       cell->get_dof_indices(cell_dofs);
-      for (unsigned int a = 0; a < n; ++a)
+      for (unsigned int a = 0; a < local.size(); ++a)
         {
           const auto first = cell_dofs[local[a][0]];
           for (unsigned int c = 0; c < dim; ++c)
@@ -108,9 +113,12 @@ namespace stickslip
     find_mirrored();
     values.assign(blocks.n_nonzero_elements() * dim * dim, 0.);
 
-    FullMatrix<double> stiffness(fe.n_dofs_per_cell());
+    FullMatrix<double> stiffness;
     for (const CellIterator &cell : cells)
       {
+        const CellNodes   &local = nodes_of_kind[cell->active_fe_index()];
+        const unsigned int n     = local.size();
+        stiffness.reinit(dim * n, dim * n, true);
         stiffness_of(cell, stiffness);
         AssertThrow(is_symmetric(stiffness),
                     ExcMessage("A law that says that it is linear has an "

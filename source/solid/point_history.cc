@@ -8,13 +8,12 @@ namespace stickslip
 {
   void
   PointHistory::reinit(const std::vector<unsigned int> &n_variables_per_cell,
-                       const unsigned int               n_points_per_cell)
+                       const std::vector<unsigned int> &n_points)
   {
     n_variables = n_variables_per_cell;
-    n_points    = n_points_per_cell;
     first.assign(n_variables.size() + 1, 0);
     for (std::size_t c = 0; c < n_variables.size(); ++c)
-      first[c + 1] = first[c] + n_points * n_variables[c];
+      first[c + 1] = first[c] + n_points[c] * n_variables[c];
     accepted_values.assign(first.back(), 0.);
     trial_values.assign(first.back(), 0.);
   }
@@ -25,7 +24,8 @@ namespace stickslip
   PointHistory::accepted(const unsigned int cell,
                          const unsigned int point) const
   {
-    AssertIndexRange(point, n_points);
+    AssertIndexRange(point * n_variables[cell],
+                     first[cell + 1] - first[cell] + 1);
     return {accepted_values.data() + first[cell] + point * n_variables[cell],
             n_variables[cell]};
   }
@@ -35,7 +35,8 @@ namespace stickslip
   dealii::ArrayView<double>
   PointHistory::trial(const unsigned int cell, const unsigned int point)
   {
-    AssertIndexRange(point, n_points);
+    AssertIndexRange(point * n_variables[cell],
+                     first[cell + 1] - first[cell] + 1);
     return {trial_values.data() + first[cell] + point * n_variables[cell],
             n_variables[cell]};
   }

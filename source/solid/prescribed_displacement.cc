@@ -1,5 +1,6 @@
 #include <stickslip/solid/prescribed_displacement.h>
 
+#include <stickslip/mesh/by_kind.h>
 #include <stickslip/mesh/reference_cells.h>
 
 #include <deal.II/base/mpi.h>
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <sstream>
 #include <utility>
 
@@ -21,7 +23,7 @@ namespace stickslip
     {
     public:
       HeldNodeCollector(
-        const Mapping<dim>                             &mapping,
+        const hp::MappingCollection<dim>               &mapping,
         const DoFHandler<dim>                          &dof_handler,
         const Bodies                                   &bodies,
         const std::vector<PrescribedDisplacement<dim>> &conditions,
@@ -30,18 +32,25 @@ namespace stickslip
         , bodies(bodies)
         , conditions(conditions)
         , time(time)
-        , scalar_fe(dof_handler.get_fe().base_element(0))
-        , node_values(mapping,
-                      scalar_fe,
-                      Quadrature<dim>(scalar_fe.get_unit_support_points()),
-                      update_quadrature_points)
-        , face_values(mapping,
-                      scalar_fe,
-                      gauss_quadrature<dim - 1>(faces_of<dim>(
-                                                  scalar_fe.reference_cell()),
-                                                2),
-                      update_normal_vectors)
-        , dof_indices(dof_handler.get_fe().n_dofs_per_cell())
+        , node_values(
+            dof_handler.get_fe_collection(),
+            [&](const FiniteElement<dim> &fe, const unsigned int kind) {
+              return std::make_unique<FEValues<dim>>(
+                mapping[kind],
+                fe.base_element(0),
+                Quadrature<dim>(fe.base_element(0).get_unit_support_points()),
+                update_quadrature_points);
+            })
+        , face_values(
+            dof_handler.get_fe_collection(),
+            [&](const FiniteElement<dim> &fe, const unsigned int kind) {
+              return std::make_unique<FEFaceValues<dim>>(
+                mapping[kind],
+                fe.base_element(0),
+                gauss_quadrature<dim - 1>(faces_of<dim>(fe.reference_cell()),
+                                          2),
+                update_normal_vectors);
+            })
       {}
 
       void
@@ -69,7 +78,8 @@ namespace stickslip
       is_of_this_rank(const unsigned int node) const
       {
         return dof_handler.locally_owned_dofs().is_element(
-          dof_indices[dof_handler.get_fe().component_to_system_index(0, node)]);
+          dof_indices[prepared_cell->get_fe().component_to_system_index(0,
+                                                                        node)]);
       }
 
       /// Of a face that has to be plane.
@@ -102,9 +112,8 @@ namespace stickslip
       const Bodies                                   &bodies;
       const std::vector<PrescribedDisplacement<dim>> &conditions;
       const double                                    time;
-      const FiniteElement<dim>                       &scalar_fe;
-      FEValues<dim>                                   node_values;
-      FEFaceValues<dim>                               face_values;
+      ByKind<FEValues<dim>>                           node_values;
+      ByKind<FEFaceValues<dim>>                       face_values;
       std::vector<types::global_dof_index>            dof_indices;
       CellIterator                                    prepared_cell;
     };
@@ -148,8 +157,9 @@ namespace stickslip
           prepared_cell == cell)
         return;
       prepared_cell = cell;
-      node_values.reinit(
+      node_values[cell].reinit(
         typename Triangulation<dim>::active_cell_iterator(cell));
+      dof_indices.resize(cell->get_fe().n_dofs_per_cell());
       cell->get_dof_indices(dof_indices);
     }
 
@@ -161,7 +171,8 @@ namespace stickslip
                                          const unsigned int  condition)
     {
       prepare(cell);
-      for (unsigned int a = 0; a < scalar_fe.n_dofs_per_cell(); ++a)
+      const unsigned int n_nodes = dof_indices.size() / dim;
+      for (unsigned int a = 0; a < n_nodes; ++a)
         hold_node(cell, a, condition, nullptr);
     }
 
@@ -174,13 +185,12 @@ namespace stickslip
                                          const unsigned int  condition)
     {
       prepare(cell);
+      const FiniteElement<dim> &scalar_fe = cell->get_fe().base_element(0);
       std::vector<unsigned int> nodes_of_rank;
       for (unsigned int a = 0; a < scalar_fe.n_dofs_per_cell(); ++a)
         if (has_node_on_face(scalar_fe, a, face) && is_of_this_rank(a))
           nodes_of_rank.push_back(a);
-      // Behind some faces of ghost cells lie cells that only other ranks know.
-      // They look like a boundary, and need not be plane.
-      if (nodes_of_rank.empty())
+      if (nodes_of_rank.empty()) // of a ghost cell
         return;
       const bool is_symmetry =
         conditions[condition].type == BoundaryConditionType::symmetry;
@@ -198,11 +208,12 @@ namespace stickslip
                                         const unsigned int  face,
                                         const unsigned int  condition)
     {
-      face_values.reinit(
-        typename Triangulation<dim>::active_cell_iterator(cell), face);
-      Tensor<1, dim> normal = face_values.normal_vector(0);
-      for (const unsigned int q : face_values.quadrature_point_indices())
-        if ((face_values.normal_vector(q) - normal).norm() > 1e-4)
+      FEFaceValues<dim> &values = face_values[cell];
+      values.reinit(typename Triangulation<dim>::active_cell_iterator(cell),
+                    face);
+      Tensor<1, dim> normal = values.normal_vector(0);
+      for (const unsigned int q : values.quadrature_point_indices())
+        if ((values.normal_vector(q) - normal).norm() > 1e-4)
           report(condition,
                  cell->face(face)->center(),
                  "its boundary is not plane");
@@ -225,10 +236,10 @@ namespace stickslip
     {
       if (!is_of_this_rank(node))
         return;
-      const FiniteElement<dim>     &fe = dof_handler.get_fe();
+      const FiniteElement<dim>     &fe = cell->get_fe();
       const types::global_dof_index first_dof =
         dof_indices[fe.component_to_system_index(0, node)];
-      const Point<dim> &position = node_values.quadrature_point(node);
+      const Point<dim> &position = node_values[cell].quadrature_point(node);
       if (conditions[condition].where &&
           conditions[condition].where->value(position, time) == 0.)
         return;
@@ -336,7 +347,7 @@ namespace stickslip
 
   template <int dim>
   std::map<types::global_dof_index, HeldNode<dim>>
-  find_held_nodes(const Mapping<dim>                             &mapping,
+  find_held_nodes(const hp::MappingCollection<dim>               &mapping,
                   const DoFHandler<dim>                          &dof_handler,
                   const Bodies                                   &bodies,
                   const std::vector<PrescribedDisplacement<dim>> &conditions,
@@ -353,14 +364,14 @@ namespace stickslip
 
 
   template std::map<types::global_dof_index, HeldNode<2>>
-  find_held_nodes(const Mapping<2> &,
+  find_held_nodes(const hp::MappingCollection<2> &,
                   const DoFHandler<2> &,
                   const Bodies &,
                   const std::vector<PrescribedDisplacement<2>> &,
                   const double,
                   std::string &);
   template std::map<types::global_dof_index, HeldNode<3>>
-  find_held_nodes(const Mapping<3> &,
+  find_held_nodes(const hp::MappingCollection<3> &,
                   const DoFHandler<3> &,
                   const Bodies &,
                   const std::vector<PrescribedDisplacement<3>> &,

@@ -27,10 +27,10 @@ namespace stickslip
     /// symmetry boundaries: these are plane.
     template <int dim>
     std::array<std::vector<HeldNode<dim>>, 2>
-    nodes_of_sides(const Pretension<dim> &condition,
-                   const Mapping<dim>    &mapping,
-                   const DoFHandler<dim> &dof_handler,
-                   const Bodies          &bodies)
+    nodes_of_sides(const Pretension<dim>            &condition,
+                   const hp::MappingCollection<dim> &mapping,
+                   const DoFHandler<dim>            &dof_handler,
+                   const Bodies                     &bodies)
     {
       std::array<std::vector<HeldNode<dim>>, 2> sides;
       std::string                               error;
@@ -55,7 +55,7 @@ namespace stickslip
   template <int dim>
   PretensionCut<dim>::PretensionCut(
     const Pretension<dim>                                  &condition,
-    const Mapping<dim>                                     &mapping,
+    const hp::MappingCollection<dim>                       &mapping,
     const DoFHandler<dim>                                  &dof_handler,
     const Bodies                                           &bodies,
     const std::map<types::global_dof_index, HeldNode<dim>> &held,

@@ -121,12 +121,12 @@ namespace stickslip
     /// What the conditions hold of the motions of each group.
     template <int dim>
     std::vector<RigidBodyModes<dim>>
-    held_modes(const BoundaryConditions<dim>   &conditions,
-               const Bodies                    &bodies,
-               const Mapping<dim>              &mapping,
-               const DoFHandler<dim>           &dof_handler,
-               const std::vector<unsigned int> &group_of_body,
-               const double                     softest_spring)
+    held_modes(const BoundaryConditions<dim>    &conditions,
+               const Bodies                     &bodies,
+               const hp::MappingCollection<dim> &mapping,
+               const DoFHandler<dim>            &dof_handler,
+               const std::vector<unsigned int>  &group_of_body,
+               const double                      softest_spring)
     {
       const Triangulation<dim> &triangulation = dof_handler.get_triangulation();
       const MPI_Comm            communicator  = dof_handler.get_communicator();
@@ -236,11 +236,11 @@ namespace stickslip
 
   template <int dim>
   std::vector<FreeMotion>
-  free_rigid_motions(const BoundaryConditions<dim> &conditions,
-                     const Bodies                  &bodies,
-                     const Mapping<dim>            &mapping,
-                     const DoFHandler<dim>         &dof_handler,
-                     const double                   softest_spring)
+  free_rigid_motions(const BoundaryConditions<dim>    &conditions,
+                     const Bodies                     &bodies,
+                     const hp::MappingCollection<dim> &mapping,
+                     const DoFHandler<dim>            &dof_handler,
+                     const double                      softest_spring)
   {
     return free_motions_of_groups(conditions,
                                   bodies,
@@ -254,12 +254,12 @@ namespace stickslip
 
   template <int dim>
   std::vector<FreeMotion>
-  free_motions_of_groups(const BoundaryConditions<dim>   &conditions,
-                         const Bodies                    &bodies,
-                         const Mapping<dim>              &mapping,
-                         const DoFHandler<dim>           &dof_handler,
-                         const std::vector<unsigned int> &group_of_body,
-                         const double                     softest_spring)
+  free_motions_of_groups(const BoundaryConditions<dim>    &conditions,
+                         const Bodies                     &bodies,
+                         const hp::MappingCollection<dim> &mapping,
+                         const DoFHandler<dim>            &dof_handler,
+                         const std::vector<unsigned int>  &group_of_body,
+                         const double                      softest_spring)
   {
     const auto modes = held_modes(
       conditions, bodies, mapping, dof_handler, group_of_body, softest_spring);
@@ -288,13 +288,13 @@ namespace stickslip
   template std::vector<FreeMotion> free_rigid_motions(      \
     const BoundaryConditions<dim> &,                        \
     const Bodies &,                                         \
-    const Mapping<dim> &,                                   \
+    const hp::MappingCollection<dim> &,                     \
     const DoFHandler<dim> &,                                \
     const double);                                          \
   template std::vector<FreeMotion> free_motions_of_groups(  \
     const BoundaryConditions<dim> &,                        \
     const Bodies &,                                         \
-    const Mapping<dim> &,                                   \
+    const hp::MappingCollection<dim> &,                     \
     const DoFHandler<dim> &,                                \
     const std::vector<unsigned int> &,                      \
     const double);                                          \

@@ -1,7 +1,6 @@
 #include <stickslip/solid/solid_assembler.h>
 
 #include <stickslip/base/user_error.h>
-#include <stickslip/mesh/reference_cells.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -12,7 +11,7 @@ namespace stickslip
 {
   template <int dim>
   SolidAssembler<dim>::SolidAssembler(
-    const Mapping<dim>                                        &mapping,
+    const hp::MappingCollection<dim>                          &mapping,
     const DoFHandler<dim>                                     &dof_handler,
     const Bodies                                              &bodies,
     const std::vector<std::shared_ptr<const ConstitutiveLaw>> &laws,
@@ -22,29 +21,16 @@ namespace stickslip
     , bodies(bodies)
     , laws(laws)
     , mean_dilatation(laws.size())
-    , quadrature(
-        stickslip::cell_quadrature<dim>(dof_handler.get_fe().reference_cell(),
-                                        dof_handler.get_fe().degree))
     , material_states(mapping,
                       dof_handler,
-                      quadrature,
                       bodies,
                       this->laws,
                       mean_dilatation,
                       history)
-    , surface_loads(mapping, dof_handler.get_fe(), boundary_conditions.loads())
+    , surface_loads(mapping, dof_handler, boundary_conditions.loads())
     , viscous(dof_handler)
     , largest_modulus(0.)
-    , fe_values(mapping,
-                dof_handler.get_fe().base_element(0),
-                quadrature,
-                update_values | update_gradients | update_quadrature_points |
-                  update_JxW_values)
-    , element(dof_handler.get_fe(), bodies.cross_section)
-    , deformation(quadrature.size())
-    , stiffness(dof_handler.get_fe().n_dofs_per_cell(),
-                dof_handler.get_fe().n_dofs_per_cell())
-    , dof_indices(dof_handler.get_fe().n_dofs_per_cell())
+    , scratch(make_cell_scratch(mapping, dof_handler, bodies.cross_section))
     , body_forces(bodies.bodies.size())
   {
     AssertDimension(laws.size(), bodies.regions.size());
@@ -78,16 +64,19 @@ namespace stickslip
   {
     const unsigned int n_cells =
       dof_handler.get_triangulation().n_active_cells();
-    std::vector<unsigned int> n_variables(n_cells, 0);
+    std::vector<unsigned int> n_variables(n_cells, 0), n_points(n_cells, 0);
     for (const CellIterator &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned() && !is_rigid(cell))
-        n_variables[cell->active_cell_index()] =
-          laws[cell->material_id()]->n_history_variables();
-    history.reinit(n_variables, quadrature.size());
+        {
+          n_variables[cell->active_cell_index()] =
+            laws[cell->material_id()]->n_history_variables();
+          n_points[cell->active_cell_index()] = scratch[cell].n_points();
+        }
+    history.reinit(n_variables, n_points);
 
     for (const CellIterator &cell : dof_handler.active_cell_iterators())
       if (n_variables[cell->active_cell_index()] > 0)
-        for (unsigned int q = 0; q < quadrature.size(); ++q)
+        for (unsigned int q = 0; q < n_points[cell->active_cell_index()]; ++q)
           laws[cell->material_id()]->initialize_history(
             history.trial(cell->active_cell_index(), q));
     history.accept();
@@ -134,11 +123,14 @@ namespace stickslip
       if (cell->is_locally_owned() && is_linear(cell))
         cells.push_back(cell);
     const auto stiffness_of = [&](const CellIterator &cell, auto &result) {
-      begin_cell(cell, u);
-      add_stresses(cell, true);
-      element.copy_stiffness(result);
+      CellScratch<dim> &at = scratch[cell];
+      at.reinit(cell, u);
+      add_stresses(cell, true, at);
+      at.element.copy_stiffness(result);
     };
-    linear_stiffness.assemble(dof_handler.get_fe(), cells, stiffness_of);
+    linear_stiffness.assemble(dof_handler.get_fe_collection(),
+                              cells,
+                              stiffness_of);
     linear_stiffness_is_known = true;
   }
 
@@ -158,12 +150,12 @@ namespace stickslip
     for (const CellIterator &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned() && !is_rigid(cell) && !is_only_linear(cell))
         {
-          evaluate_cell(cell, u, time, false);
-          geometric.distribute_local_to_global(element.internal,
-                                               dof_indices,
+          const CellScratch<dim> &at = evaluate_cell(cell, u, time, false);
+          geometric.distribute_local_to_global(at.element.internal,
+                                               at.dof_indices,
                                                internal);
-          geometric.distribute_local_to_global(element.external,
-                                               dof_indices,
+          geometric.distribute_local_to_global(at.element.external,
+                                               at.dof_indices,
                                                external);
         }
   }
@@ -181,7 +173,8 @@ namespace stickslip
     assemble_linear_stiffness(u);
     failure = InadmissiblePoint<dim>();
     linear_stiffness.add_tangent(u, constraints, matrix, rhs);
-    Vector<double> minus_residual(dof_indices.size());
+    FullMatrix<double> stiffness;
+    Vector<double>     minus_residual;
     for (const CellIterator &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned() && !is_only_linear(cell))
         {
@@ -190,46 +183,37 @@ namespace stickslip
               add_rigid_cell(cell, constraints, matrix);
               continue;
             }
-          evaluate_cell(cell, u, time, true);
-          element.copy_stiffness(stiffness);
-          minus_residual = element.external;
-          minus_residual -= element.internal;
+          const CellScratch<dim> &at = evaluate_cell(cell, u, time, true);
+          stiffness.reinit(at.dof_indices.size(), at.dof_indices.size(), true);
+          at.element.copy_stiffness(stiffness);
+          minus_residual = at.element.external;
+          minus_residual -= at.element.internal;
           constraints.distribute_local_to_global(
-            stiffness, minus_residual, dof_indices, matrix, rhs);
+            stiffness, minus_residual, at.dof_indices, matrix, rhs);
         }
   }
 
 
 
   template <int dim>
-  void
-  SolidAssembler<dim>::begin_cell(const CellIterator &cell, const LA::Vector &u)
-  {
-    cell->get_dof_indices(dof_indices);
-    element.reinit(u, dof_indices);
-    fe_values.reinit(typename Triangulation<dim>::active_cell_iterator(cell));
-  }
-
-
-
-  template <int dim>
-  void
+  const CellScratch<dim> &
   SolidAssembler<dim>::evaluate_cell(const CellIterator &cell,
                                      const LA::Vector   &u,
                                      const double        time,
                                      const bool          with_tangent)
   {
-    begin_cell(cell, u);
+    CellScratch<dim> &at = scratch[cell];
+    at.reinit(cell, u);
     if (!is_linear(cell))
-      add_stresses(cell, with_tangent);
-    add_body_forces(cell, time);
-    surface_loads.add_cell(cell, time, with_tangent, element);
+      add_stresses(cell, with_tangent, at);
+    add_body_forces(cell, time, at);
+    surface_loads.add_cell(cell, time, with_tangent, at.element);
     if (viscous.is_active())
-      viscous.add_cell(fe_values,
-                       dof_indices,
+      viscous.add_cell(cell,
                        longitudinal_modulus(cell->material_id()),
                        with_tangent,
-                       element);
+                       at);
+    return at;
   }
 
 
@@ -237,13 +221,14 @@ namespace stickslip
   template <int dim>
   void
   SolidAssembler<dim>::add_stresses(const CellIterator &cell,
-                                    const bool          with_tangent)
+                                    const bool          with_tangent,
+                                    CellScratch<dim>   &at)
   {
-    if (!deformation.compute(fe_values,
-                             mean_dilatation[cell->material_id()],
-                             element))
+    if (!at.deformation.compute(at.fe_values,
+                                mean_dilatation[cell->material_id()],
+                                at.element))
       {
-        record_failure(cell, deformation.failed_point(), false);
+        record_failure(cell, at, at.deformation.failed_point(), false);
         return;
       }
     const ConstitutiveLaw &law        = *laws[cell->material_id()];
@@ -251,9 +236,9 @@ namespace stickslip
     Tensor<2, 3>           P;
     Tensor<4, 3>           dP_dF;
     Tensor<4, 3>          *tangent = with_tangent ? &dP_dF : nullptr;
-    for (unsigned int q = 0; q < quadrature.size(); ++q)
+    for (unsigned int q = 0; q < at.n_points(); ++q)
       {
-        const Tensor<2, 3> &F = deformation.for_law(q);
+        const Tensor<2, 3> &F = at.deformation.for_law(q);
         const bool          has_volume =
           law.is_geometrically_linear() || determinant(F) > 0.;
         if (!has_volume ||
@@ -264,13 +249,13 @@ namespace stickslip
                           tangent) ||
             !std::isfinite(P.norm_square()))
           {
-            record_failure(cell, q, has_volume);
+            record_failure(cell, at, q, has_volume);
             continue;
           }
-        deformation.add_response(fe_values, q, P, tangent, element);
+        at.deformation.add_response(at.fe_values, q, P, tangent, at.element);
       }
     if (with_tangent)
-      deformation.finish_tangent(element);
+      at.deformation.finish_tangent(at.element);
   }
 
 
@@ -278,15 +263,17 @@ namespace stickslip
   template <int dim>
   void
   SolidAssembler<dim>::add_body_forces(const CellIterator &cell,
-                                       const double        time)
+                                       const double        time,
+                                       CellScratch<dim>   &at)
   {
     for (const Load<dim> *load :
          body_forces[bodies.body_of(cell->material_id())])
-      for (unsigned int q = 0; q < quadrature.size(); ++q)
-        element.add_load(fe_values,
-                         q,
-                         load->vector(fe_values.quadrature_point(q), time),
-                         element.external);
+      for (unsigned int q = 0; q < at.n_points(); ++q)
+        at.element.add_load(at.fe_values,
+                            q,
+                            load->vector(at.fe_values.quadrature_point(q),
+                                         time),
+                            at.element.external);
   }
 
 
@@ -300,6 +287,8 @@ namespace stickslip
     // All displacements are prescribed, or depend on the few that stand for
     // the motion of the body; the matrix needs a diagonal of the size of its
     // neighbours: modulus x length^(dim - 2), all around.
+    std::vector<types::global_dof_index> dof_indices(
+      cell->get_fe().n_dofs_per_cell());
     cell->get_dof_indices(dof_indices);
     const double modulus = largest_modulus > 0. ? largest_modulus : 1.;
     const double entry   = modulus * std::pow(cell->diameter(), dim - 2) *
@@ -313,11 +302,12 @@ namespace stickslip
 
   template <int dim>
   void
-  SolidAssembler<dim>::record_failure(const CellIterator &cell,
-                                      const unsigned int  q,
-                                      const bool          has_volume)
+  SolidAssembler<dim>::record_failure(const CellIterator     &cell,
+                                      const CellScratch<dim> &at,
+                                      const unsigned int      q,
+                                      const bool              has_volume)
   {
-    failure.record(fe_values.quadrature_point(q),
+    failure.record(at.fe_values.quadrature_point(q),
                    bodies.body_of(cell->material_id()),
                    has_volume);
   }
@@ -380,11 +370,10 @@ namespace stickslip
     for (const CellIterator &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned() && !is_rigid(cell))
         {
-          begin_cell(cell, u);
-          work += viscous.work(fe_values,
-                               dof_indices,
-                               longitudinal_modulus(cell->material_id()),
-                               element);
+          CellScratch<dim> &at = scratch[cell];
+          at.reinit(cell, u);
+          work +=
+            viscous.work(cell, longitudinal_modulus(cell->material_id()), at);
         }
     return Utilities::MPI::sum(work, dof_handler.get_communicator());
   }

@@ -8,12 +8,12 @@ namespace stickslip
 {
   template <int dim>
   std::vector<std::pair<std::string, Tensor<1, dim>>>
-  support_forces(const BoundaryConditions<dim> &conditions,
-                 const Mapping<dim>            &mapping,
-                 const DoFHandler<dim>         &dof_handler,
-                 const Bodies                  &bodies,
-                 const double                   time,
-                 const LA::Vector              &unbalanced)
+  support_forces(const BoundaryConditions<dim>    &conditions,
+                 const hp::MappingCollection<dim> &mapping,
+                 const DoFHandler<dim>            &dof_handler,
+                 const Bodies                     &bodies,
+                 const double                      time,
+                 const LA::Vector                 &unbalanced)
   {
     const auto    &prescribed   = conditions.prescribed_displacements();
     const MPI_Comm communicator = dof_handler.get_communicator();
@@ -68,7 +68,7 @@ namespace stickslip
 #define INSTANTIATE(dim)                                                       \
   template std::vector<std::pair<std::string, Tensor<1, dim>>> support_forces( \
     const BoundaryConditions<dim> &,                                           \
-    const Mapping<dim> &,                                                      \
+    const hp::MappingCollection<dim> &,                                        \
     const DoFHandler<dim> &,                                                   \
     const Bodies &,                                                            \
     const double,                                                              \

@@ -2,6 +2,8 @@
 
 #include <stickslip/mesh/reference_cells.h>
 
+#include <memory>
+
 namespace stickslip
 {
   namespace
@@ -31,16 +33,20 @@ namespace stickslip
 
 
   template <int dim>
-  SurfaceLoads<dim>::SurfaceLoads(const Mapping<dim>           &mapping,
-                                  const FiniteElement<dim>     &fe,
-                                  const std::vector<Load<dim>> &loads)
-    : fe_face_values(
-        mapping,
-        fe.base_element(0),
-        gauss_quadrature<dim - 1>(faces_of<dim>(fe.reference_cell()),
-                                  fe.degree + 1),
-        update_values | update_gradients | update_quadrature_points |
-          update_normal_vectors | update_JxW_values)
+  SurfaceLoads<dim>::SurfaceLoads(const hp::MappingCollection<dim> &mapping,
+                                  const DoFHandler<dim>            &dof_handler,
+                                  const std::vector<Load<dim>>     &loads)
+    : values_of_faces(
+        dof_handler.get_fe_collection(),
+        [&](const FiniteElement<dim> &fe, const unsigned int kind) {
+          return std::make_unique<FEFaceValues<dim>>(
+            mapping[kind],
+            fe.base_element(0),
+            gauss_quadrature<dim - 1>(faces_of<dim>(fe.reference_cell()),
+                                      fe.degree + 1),
+            update_values | update_gradients | update_quadrature_points |
+              update_normal_vectors | update_JxW_values);
+        })
   {
     for (const Load<dim> &load : loads)
       for (const types::boundary_id id : load.boundary_ids)
@@ -81,11 +87,12 @@ namespace stickslip
         const auto loads = loads_of.find(cell->face(face)->boundary_id());
         if (loads == loads_of.end())
           continue;
+        FEFaceValues<dim> &fe_face_values = values_of_faces[cell];
         fe_face_values.reinit(
           typename Triangulation<dim>::active_cell_iterator(cell), face);
         for (const Load<dim> *load : loads->second)
           if (load->active.contains(time))
-            add_load(*load, time, with_tangent, element);
+            add_load(*load, fe_face_values, time, with_tangent, element);
       }
   }
 
@@ -93,10 +100,11 @@ namespace stickslip
 
   template <int dim>
   void
-  SurfaceLoads<dim>::add_load(const Load<dim>    &load,
-                              const double        time,
-                              const bool          with_tangent,
-                              ElementArrays<dim> &element)
+  SurfaceLoads<dim>::add_load(const Load<dim>         &load,
+                              const FEFaceValues<dim> &fe_face_values,
+                              const double             time,
+                              const bool               with_tangent,
+                              ElementArrays<dim>      &element) const
   {
     const bool is_spring = load.type == BoundaryConditionType::spring;
     const bool follows = load.type == BoundaryConditionType::follower_pressure;
@@ -123,7 +131,7 @@ namespace stickslip
         else
           element.add_load(fe_face_values, q, force, element.external);
         if (with_tangent)
-          add_tangent(load, q, F, time, element);
+          add_tangent(load, fe_face_values, q, F, time, element);
       }
   }
 
@@ -131,11 +139,12 @@ namespace stickslip
 
   template <int dim>
   void
-  SurfaceLoads<dim>::add_tangent(const Load<dim>    &load,
-                                 const unsigned int  q,
-                                 const Tensor<2, 3> &F,
-                                 const double        time,
-                                 ElementArrays<dim> &element)
+  SurfaceLoads<dim>::add_tangent(const Load<dim>         &load,
+                                 const FEFaceValues<dim> &fe_face_values,
+                                 const unsigned int       q,
+                                 const Tensor<2, 3>      &F,
+                                 const double             time,
+                                 ElementArrays<dim>      &element) const
   {
     if (load.type == BoundaryConditionType::spring)
       element.add_load_tangent(fe_face_values, q, load.stiffness);

@@ -1,5 +1,6 @@
 #include <stickslip/solid/symmetry_cuts.h>
 
+#include <stickslip/mesh/by_kind.h>
 #include <stickslip/mesh/reference_cells.h>
 
 #include <deal.II/base/mpi.h>
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 #include <vector>
 
@@ -73,20 +75,24 @@ namespace stickslip
     /// Mean outward normal of this rank's faces, times their area.
     template <int dim>
     Tensor<1, dim>
-    area_vector(const Mapping<dim>      &mapping,
-                const DoFHandler<dim>   &dof_handler,
-                const types::boundary_id id)
+    area_vector(const hp::MappingCollection<dim> &mapping,
+                const DoFHandler<dim>            &dof_handler,
+                const types::boundary_id          id)
     {
-      const auto       &fe = dof_handler.get_fe();
-      FEFaceValues<dim> values(
-        mapping,
-        fe,
-        gauss_quadrature<dim - 1>(faces_of<dim>(fe.reference_cell()), 1),
-        update_normal_vectors | update_JxW_values);
+      const ByKind<FEFaceValues<dim>> values_of(
+        dof_handler.get_fe_collection(),
+        [&](const FiniteElement<dim> &fe, const unsigned int kind) {
+          return std::make_unique<FEFaceValues<dim>>(
+            mapping[kind],
+            fe,
+            gauss_quadrature<dim - 1>(faces_of<dim>(fe.reference_cell()), 1),
+            update_normal_vectors | update_JxW_values);
+        });
       Tensor<1, dim> sum;
       for_each_face(dof_handler, {id}, [&](const auto &cell, const auto f) {
         if (!cell->is_locally_owned())
           return;
+        FEFaceValues<dim> &values = values_of[cell];
         values.reinit(cell, f);
         for (const unsigned int q : values.quadrature_point_indices())
           sum += values.JxW(q) * values.normal_vector(q);
@@ -100,7 +106,7 @@ namespace stickslip
   template <int dim>
   std::vector<Tensor<1, dim>>
   normals_of_symmetry_cuts(
-    const Mapping<dim>                             &mapping,
+    const hp::MappingCollection<dim>               &mapping,
     const DoFHandler<dim>                          &dof_handler,
     const std::set<types::boundary_id>             &boundary,
     const std::vector<PrescribedDisplacement<dim>> &conditions)
@@ -134,7 +140,7 @@ namespace stickslip
 
 #define INSTANTIATE(dim)                                         \
   template std::vector<Tensor<1, dim>> normals_of_symmetry_cuts( \
-    const Mapping<dim> &,                                        \
+    const hp::MappingCollection<dim> &,                          \
     const DoFHandler<dim> &,                                     \
     const std::set<types::boundary_id> &,                        \
     const std::vector<PrescribedDisplacement<dim>> &);

@@ -4,6 +4,8 @@
 
 #include <deal.II/grid/grid_tools.h>
 
+#include <memory>
+
 namespace stickslip
 {
   namespace
@@ -25,7 +27,10 @@ namespace stickslip
   ViscousStabilization<dim>::ViscousStabilization(
     const DoFHandler<dim> &dof_handler)
     : extent(diagonal(dof_handler.get_triangulation()))
-    , old_element(dof_handler.get_fe())
+    , old_elements(dof_handler.get_fe_collection(),
+                   [](const FiniteElement<dim> &fe, const unsigned int) {
+                     return std::make_unique<ElementArrays<dim>>(fe);
+                   })
   {}
 
 
@@ -60,26 +65,26 @@ namespace stickslip
 
   template <int dim>
   void
-  ViscousStabilization<dim>::add_cell(
-    const FEValues<dim>                        &fe_values,
-    const std::vector<types::global_dof_index> &dof_indices,
-    const double                                modulus,
-    const bool                                  with_tangent,
-    ElementArrays<dim>                         &element)
+  ViscousStabilization<dim>::add_cell(const CellIterator &cell,
+                                      const double        modulus,
+                                      const bool          with_tangent,
+                                      CellScratch<dim>   &at)
   {
-    const double viscosity = coefficient * modulus / step_size;
-    old_element.reinit(*u_old, dof_indices);
-    for (const unsigned int q : fe_values.quadrature_point_indices())
+    const double        viscosity   = coefficient * modulus / step_size;
+    ElementArrays<dim> &old_element = old_elements[cell];
+    old_element.reinit(*u_old, at.dof_indices);
+    for (unsigned int q = 0; q < at.n_points(); ++q)
       {
-        element.add_load(fe_values,
-                         q,
-                         viscosity * (element.displacement(fe_values, q) -
-                                      old_element.displacement(fe_values, q)),
-                         element.internal);
+        at.element.add_load(at.fe_values,
+                            q,
+                            viscosity *
+                              (at.element.displacement(at.fe_values, q) -
+                               old_element.displacement(at.fe_values, q)),
+                            at.element.internal);
         if (with_tangent)
-          element.add_load_tangent(fe_values,
-                                   q,
-                                   viscosity * unit_symmetric_tensor<dim>());
+          at.element.add_load_tangent(at.fe_values,
+                                      q,
+                                      viscosity * unit_symmetric_tensor<dim>());
       }
   }
 
@@ -87,21 +92,20 @@ namespace stickslip
 
   template <int dim>
   double
-  ViscousStabilization<dim>::work(
-    const FEValues<dim>                        &fe_values,
-    const std::vector<types::global_dof_index> &dof_indices,
-    const double                                modulus,
-    const ElementArrays<dim>                   &element)
+  ViscousStabilization<dim>::work(const CellIterator     &cell,
+                                  const double            modulus,
+                                  const CellScratch<dim> &at)
   {
-    const double viscosity = coefficient * modulus / step_size;
-    double       sum       = 0.;
-    old_element.reinit(*u_old, dof_indices);
-    for (const unsigned int q : fe_values.quadrature_point_indices())
+    const double        viscosity   = coefficient * modulus / step_size;
+    double              sum         = 0.;
+    ElementArrays<dim> &old_element = old_elements[cell];
+    old_element.reinit(*u_old, at.dof_indices);
+    for (unsigned int q = 0; q < at.n_points(); ++q)
       sum += viscosity *
-             (element.displacement(fe_values, q) -
-              old_element.displacement(fe_values, q))
+             (at.element.displacement(at.fe_values, q) -
+              old_element.displacement(at.fe_values, q))
                .norm_square() *
-             element.measure(fe_values, q);
+             at.element.measure(at.fe_values, q);
     return sum;
   }
 

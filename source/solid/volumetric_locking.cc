@@ -50,41 +50,32 @@ namespace stickslip
 
 
 
-  template <int dim>
   std::vector<std::string>
   warnings_about_locking(const NamedList<MaterialParameters> &materials,
                          const Bodies                        &bodies,
-                         const FiniteElement<dim>            &fe)
+                         const unsigned int                   degree)
   {
     std::vector<std::string> warnings;
-    if (!fe.reference_cell().is_simplex() || fe.degree > 1)
+    if (degree > 1)
       return warnings;
     for (const auto &[name, material] : materials)
       {
-        const bool is_used =
-          std::any_of(bodies.regions.begin(),
-                      bodies.regions.end(),
-                      [&wanted = name](const Region &region) {
-                        return region.material == wanted;
-                      });
-        const std::string reason = is_used ? reason_to_lock(material) : "";
+        const auto region =
+          std::find_if(bodies.regions.begin(),
+                       bodies.regions.end(),
+                       [&, &wanted = name](const Region &region) {
+                         return region.material == wanted &&
+                                bodies.bodies[region.body].cells.is_simplex();
+                       });
+        const bool        is_used = region != bodies.regions.end();
+        const std::string reason  = is_used ? reason_to_lock(material) : "";
         if (!reason.empty())
           warnings.push_back("Materials/" + name + " " + reason + ": " +
-                             plural(fe.reference_cell()) +
+                             plural(bodies.bodies[region->body].cells) +
                              " of degree 1 lock, they are far too stiff, also "
                              "with F-bar and B-bar. Set 'Degree = 2'.");
       }
     return warnings;
   }
 
-
-
-  template std::vector<std::string>
-  warnings_about_locking(const NamedList<MaterialParameters> &,
-                         const Bodies &,
-                         const FiniteElement<2> &);
-  template std::vector<std::string>
-  warnings_about_locking(const NamedList<MaterialParameters> &,
-                         const Bodies &,
-                         const FiniteElement<3> &);
 } // namespace stickslip

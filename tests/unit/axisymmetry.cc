@@ -164,7 +164,7 @@ namespace
   squared_error(Problem<2> &problem, const VectorFunction<2>::Formula &exact)
   {
     const QGauss<2>             quadrature(6);
-    FEValues<2>                 fe_values(problem.mapping,
+    FEValues<2>                 fe_values(problem.mapping[0],
                           problem.fe,
                           quadrature,
                           update_values | update_quadrature_points |

@@ -37,6 +37,7 @@ namespace
     std::string  law           = "contact"; // Contact/<pair>/Law
     bool         corners       = false;     // two sides of the body are slaves
     bool         axisymmetric  = false;     // x is the radius
+    bool         mixed         = false; // cells of the master: the other kind
   };
 
 
@@ -56,7 +57,8 @@ namespace
   template <int dim>
   Mesh<dim>
   make_mesh(const bool hanging_nodes,
-            const bool simplices,
+            const bool simplices_above,
+            const bool simplices_below,
             const bool hanging_slave,
             const bool axisymmetric)
   {
@@ -76,7 +78,8 @@ namespace
         lower.coordinates = "x; y + 0.05*y*sin(3*x + 2*z); z";
         upper.coordinates = "x + 0.05*z; y + 0.05*sin(3*x + 2*z); z";
       }
-    upper.simplices = lower.simplices = simplices;
+    upper.simplices = simplices_above;
+    lower.simplices = simplices_below;
     upper.material = lower.material = "rubber";
     MeshParameters parameters;
     parameters.is_axisymmetric = axisymmetric;
@@ -375,6 +378,7 @@ namespace
   {
     Mesh<dim> mesh = make_mesh<dim>(c.hanging_nodes,
                                     c.simplices,
+                                    c.simplices != c.mixed,
                                     c.hanging_slave,
                                     c.axisymmetric);
     NamedList<BoundaryConditionParameters> conditions;
@@ -415,7 +419,8 @@ namespace
 
     const std::string name = std::to_string(dim) +
                              (c.simplices ? "D P" : "D Q") +
-                             std::to_string(c.degree) + " " + c.name;
+                             std::to_string(c.degree) +
+                             (c.mixed ? " on the other kind, " : " ") + c.name;
     double       worst = 0.;
     const double h     = 2e-6;
     for (unsigned int combination = 0; combination < 8; ++combination)
@@ -577,6 +582,38 @@ namespace
 
 
 
+  /// Triangles and tetrahedra against quadrilaterals and hexahedra.
+  template <int dim>
+  void
+  test_mixed_cells()
+  {
+    for (const bool simplices : {true, false})
+      for (const unsigned int degree : {1, 2})
+        {
+          const auto test = [&](const std::string &quadrature,
+                                const bool         corners = false) {
+            Case c{quadrature, degree, "smoothed", quadrature};
+            c.space     = degree == 2 ? "vertices" : "displacement trace";
+            c.order     = quadrature == "segments" ? (dim == 2 ? 8 : 7) : 3;
+            c.weighting = "dual";
+            c.simplices = simplices;
+            c.mixed     = true;
+            c.corners   = corners;
+            if (corners)
+              c.name += " around corners";
+            test_case<dim>(c);
+          };
+          if (degree == 1)
+            test("nodal");
+          test("Gauss");
+          test("segments");
+          if (degree == 1)
+            test("segments", true);
+        }
+  }
+
+
+
   /// Slave surfaces with edges of 90 degrees, where the normal is the master's.
   template <int dim>
   void
@@ -705,4 +742,6 @@ main(int argc, char **argv)
   test_corners<3>();
   test_bilateral<3>();
   test_axisymmetry();
+  test_mixed_cells<2>();
+  test_mixed_cells<3>();
 }

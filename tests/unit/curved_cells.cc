@@ -147,10 +147,10 @@ namespace
         const Mesh<dim> mesh =
           build_mesh<dim>(parameters, rings(name), {}, comm);
         const auto mapping   = make_conforming_mapping(*mesh.triangulation, 2);
-        volumes[refinements] = volume(mesh, *mapping);
+        volumes[refinements] = volume(mesh, mapping[0]);
         if (refinements == 0)
           print("  the nodes are those of the file",
-                has_all_nodes(file, mesh, *mapping));
+                has_all_nodes(file, mesh, mapping[0]));
       }
     print("  volume " + text(volumes[0]));
     print("  refined cells have the same volume",

@@ -260,8 +260,8 @@ namespace
     bodies.bodies[1].name = "upper";
     bodies.regions        = {{0, "steel"}, {1, "rubber"}};
 
-    const MappingQ<dim> mapping(degree);
-    DoFHandler<dim>     dof_handler(triangulation);
+    const hp::MappingCollection<dim> mapping{MappingQ<dim>(degree)};
+    DoFHandler<dim>                  dof_handler(triangulation);
     dof_handler.distribute_dofs(FESystem<dim>(FE_Q<dim>(degree), dim));
     IndexSet relevant;
     DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
@@ -276,7 +276,7 @@ namespace
     displacement = owned;
 
     const QGauss<dim>   quadrature(degree + 1);
-    FEValues<dim>       fe_values(mapping,
+    FEValues<dim>       fe_values(mapping[0],
                             dof_handler.get_fe(),
                             quadrature,
                             update_quadrature_points);
@@ -409,9 +409,9 @@ namespace
                           {"above", {"upper", interface}}};
     PointValues<dim> points(parameters, bodies, MPI_COMM_WORLD);
     points.locate(mapping, dof_handler);
-    for (const Tensor<1, dim> &u : points.evaluate(dof_handler, displacement))
+    for (const Tensor<1, dim> &u : points.evaluate(displacement))
       out << "  u = " << u << std::endl;
-    points.write(1, 0.5, dof_handler, displacement);
+    points.write(1, 0.5, displacement);
 
     parameters.points = {{"nowhere", {"lower", outside}}};
     try

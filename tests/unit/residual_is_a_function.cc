@@ -65,7 +65,7 @@ namespace
                                          layout.dof_handler,
                                          places);
     LA::BlockVector                      x = problem.zero_state();
-    std::vector<types::global_dof_index> dofs(layout.fe.n_dofs_per_cell());
+    std::vector<types::global_dof_index> dofs(layout.fe().n_dofs_per_cell());
     for (const auto &cell : layout.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {
@@ -75,7 +75,7 @@ namespace
               {
                 const Point<dim>  &p = places.at(dofs[i]);
                 const unsigned int c =
-                  layout.fe.system_to_component_index(i).first;
+                  layout.fe().system_to_component_index(i).first;
                 const double is_upper = cell->center()[1] > 1. ? 1. : 0.;
                 x.block(0)(dofs[i]) =
                   0.004 * std::sin(3. * p[0] + 2. * p[1] + c) +

@@ -115,7 +115,7 @@ namespace solid_test
     Problem(const unsigned int degree, const bool with_rigid_body = false)
       : triangulation(MPI_COMM_WORLD)
       , fe(FE_Q<dim>(degree), dim)
-      , mapping(1)
+      , mapping(MappingQ<dim>(1))
       , dof_handler(triangulation)
     {
       add_body("block", false);
@@ -315,7 +315,7 @@ namespace solid_test
     parallel::distributed::Triangulation<dim> triangulation;
     Bodies                                    bodies;
     const FESystem<dim>                       fe;
-    const MappingQ<dim>                       mapping;
+    const hp::MappingCollection<dim>          mapping;
     DoFHandler<dim>                           dof_handler;
     IndexSet                                  owned, relevant;
     Constraints                               geometric;

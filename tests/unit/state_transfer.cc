@@ -176,7 +176,7 @@ namespace
   {
     const auto &layout = problem.layout();
     double error = 0., history = 0., lambda_n = 0., tangential = 0., slip = 0.;
-    std::vector<types::global_dof_index> dofs(layout.fe.dofs_per_cell);
+    std::vector<types::global_dof_index> dofs(layout.fe().dofs_per_cell);
     for (const auto &cell : layout.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {
@@ -184,10 +184,11 @@ namespace
           for (unsigned int i = 0; i < dofs.size(); ++i)
             if (layout.owned.is_element(dofs[i]))
               {
-                const Point<dim> p = layout.mapping.transform_unit_to_real_cell(
-                  cell, layout.fe.unit_support_point(i));
+                const Point<dim> p =
+                  layout.mapping[0].transform_unit_to_real_cell(
+                    cell, layout.fe().unit_support_point(i));
                 const unsigned int c =
-                  layout.fe.system_to_component_index(i).first;
+                  layout.fe().system_to_component_index(i).first;
                 error = std::max(
                   {error,
                    std::abs(x.block(0)(dofs[i]) - displacement<dim>(p, c)),
@@ -251,7 +252,7 @@ namespace
     LA::Vector      rate    = x.block(0);
     const auto     &layout  = problem->layout();
     {
-      std::vector<types::global_dof_index> dofs(layout.fe.dofs_per_cell);
+      std::vector<types::global_dof_index> dofs(layout.fe().dofs_per_cell);
       for (const auto &cell : layout.dof_handler.active_cell_iterators())
         if (cell->is_locally_owned())
           {
@@ -260,10 +261,10 @@ namespace
               if (layout.owned.is_element(dofs[i]))
                 {
                   const Point<dim> p =
-                    layout.mapping.transform_unit_to_real_cell(
-                      cell, layout.fe.unit_support_point(i));
+                    layout.mapping[0].transform_unit_to_real_cell(
+                      cell, layout.fe().unit_support_point(i));
                   x.block(0)(dofs[i]) = displacement<dim>(
-                    p, layout.fe.system_to_component_index(i).first);
+                    p, layout.fe().system_to_component_index(i).first);
                   rate(dofs[i]) = 2. * x.block(0)(dofs[i]);
                 }
             auto      &history = problem->solid().point_history();

@@ -8,6 +8,8 @@
 
 #include <deal.II/base/types.h>
 
+#include <deal.II/grid/reference_cell.h>
+
 #include <set>
 #include <string>
 #include <vector>
@@ -25,7 +27,8 @@ namespace stickslip
     std::set<types::boundary_id> boundary_ids;
     /// What the user may call them.
     LabelledIds    boundaries = LabelledIds();
-    BodyParameters parameters = {}; ///< how it was made
+    BodyParameters parameters = {};              ///< how it was made
+    ReferenceCell  cells      = ReferenceCell(); ///< all of one kind
   };
 
   /// Cells of one body with one material: what cell->material_id() points to.
@@ -39,7 +42,8 @@ namespace stickslip
    * The bodies of the joined triangulation and the meaning of its ids:
    * cell->material_id() is an index into `regions`, and face->boundary_id() is
    * a "global" id, unique over the bodies, so that body 'punch' and body
-   * 'block' can both have a boundary 3. Identical on all ranks.
+   * 'block' can both have a boundary 3. Identical on all ranks. No body has the
+   * global id 0.
    */
   class Bodies
   {

@@ -3,18 +3,16 @@
 
 #include <deal.II/distributed/tria_base.h>
 
-#include <deal.II/fe/mapping.h>
-
-#include <memory>
+#include <deal.II/hp/mapping_collection.h>
 
 namespace stickslip
 {
   using namespace dealii;
 
   /**
-   * The isoparametric mapping of a mesh, with its nodes on the manifolds, and
-   * without gaps at hanging nodes. It does not outlive a change of the
-   * triangulation.
+   * The isoparametric mapping of a mesh, one for each of kinds_of_cells(), with
+   * its nodes on the manifolds, and without gaps at hanging nodes. It does not
+   * outlive a change of the triangulation.
    *
    * On a curved manifold the cells of a refined side have their nodes on the
    * manifold, those of the coarse side are polynomials between theirs: a gap or
@@ -23,7 +21,7 @@ namespace stickslip
    * displacements put them, on the coarse side. Collective.
    */
   template <int dim>
-  std::unique_ptr<Mapping<dim>>
+  hp::MappingCollection<dim>
   make_conforming_mapping(
     const parallel::DistributedTriangulationBase<dim> &triangulation,
     const unsigned int                                 degree);

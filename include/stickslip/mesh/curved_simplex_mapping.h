@@ -17,9 +17,9 @@ namespace stickslip
   /**
    * The mapping of degree 2 of triangles and tetrahedra, with the middle of
    * each edge on the manifold of the edge: cells that share it agree on it.
-   * (MappingFE asks the manifold of the cell.) The nodes of all cells that are
-   * not artificial are kept, like those of MappingQCache; it does not outlive a
-   * change of the triangulation.
+   * (MappingFE asks the manifold of the cell.) The nodes of all simplices that
+   * are not artificial are kept, like those of MappingQCache; it does not
+   * outlive a change of the triangulation.
    */
   template <int dim>
   class CurvedSimplexMapping : public MappingFE<dim>

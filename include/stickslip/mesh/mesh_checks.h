@@ -3,12 +3,10 @@
 
 #include <stickslip/mesh/quadratic_cells.h>
 
-#include <deal.II/grid/reference_cell.h>
 #include <deal.II/grid/tria.h>
 
 #include <cstddef>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace stickslip
@@ -65,14 +63,6 @@ namespace stickslip
   /// Says what elements of degree 1 make of @p bodies with curved cells.
   std::string
   warning_about_straight_sides(const std::vector<std::string> &bodies);
-
-  /// Names of bodies and the cells that they are made of.
-  using KindsOfCells = std::vector<std::pair<std::string, ReferenceCell>>;
-
-  /// The cell that all bodies, one at least, are made of. Throws UserError if
-  /// there are two.
-  ReferenceCell
-  common_cell(const KindsOfCells &kinds);
 } // namespace stickslip
 
 #endif

@@ -4,20 +4,26 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/quadrature.h>
 
+#include <deal.II/dofs/dof_handler.h>
+
 #include <deal.II/fe/fe.h>
 #include <deal.II/fe/mapping.h>
 
 #include <deal.II/grid/reference_cell.h>
 #include <deal.II/grid/tria.h>
 
+#include <deal.II/hp/fe_collection.h>
+
 #include <memory>
 #include <string>
+#include <vector>
 
 /**
  * What depends on the kind of the cells: quadrilaterals and hexahedra, or
- * triangles and tetrahedra (simplices). All cells of a model are of one kind,
- * so that it is asked for once, and nothing else has to know it. Nothing here
- * is collective.
+ * triangles and tetrahedra (simplices). All cells of a body are of one kind,
+ * those of a model of one or two. Bodies share no faces, so that the kinds do
+ * not meet. Collections for the kinds of a model have the order of
+ * kinds_of_cells(), which is also that of the active FE indices.
  */
 namespace stickslip
 {
@@ -27,6 +33,12 @@ namespace stickslip
   template <int dim>
   ReferenceCell
   reference_cell_of(const Triangulation<dim> &triangulation);
+
+  /// The kinds of cells that @p triangulation is made of, on any rank, those
+  /// that are no simplices first. Collective.
+  template <int dim>
+  std::vector<ReferenceCell>
+  kinds_of_cells(const Triangulation<dim> &triangulation);
 
   /// The faces of @p cell: all are alike.
   template <int dim>
@@ -41,6 +53,19 @@ namespace stickslip
   template <int dim>
   std::unique_ptr<FiniteElement<dim>>
   make_element(const ReferenceCell &cell, const unsigned int degree);
+
+  /// Vectors of such functions, for each of @p kinds.
+  template <int dim>
+  hp::FECollection<dim>
+  make_vector_elements(const std::vector<ReferenceCell> &kinds,
+                       const unsigned int                degree);
+
+  /// Numbers degrees of freedom, those of each cell with the one of
+  /// @p elements that is for its kind. Collective.
+  template <int dim>
+  void
+  distribute_dofs(const hp::FECollection<dim> &elements,
+                  DoFHandler<dim>             &dof_handler);
 
   /// The same functions, discontinuous. Degree 1.
   template <int dim>

@@ -9,7 +9,7 @@
 
 #include <deal.II/dofs/dof_handler.h>
 
-#include <deal.II/fe/mapping.h>
+#include <deal.II/hp/mapping_collection.h>
 
 #include <deal.II/lac/vector.h>
 
@@ -59,13 +59,13 @@ namespace stickslip
      * Collective; throws UserError on all ranks if writing fails.
      */
     void
-    write(const unsigned int         step,
-          const double               time,
-          const Mapping<dim>        &mapping,
-          const DoFHandler<dim>     &dof_handler,
-          const LA::Vector          &displacement,
-          const MaterialFields<dim> &material,
-          const NamedCellValues     &of_cells = {});
+    write(const unsigned int                step,
+          const double                      time,
+          const hp::MappingCollection<dim> &mapping,
+          const DoFHandler<dim>            &dof_handler,
+          const LA::Vector                 &displacement,
+          const MaterialFields<dim>        &material,
+          const NamedCellValues            &of_cells = {});
 
   private:
     const unsigned int cells_of_piece;

@@ -10,7 +10,7 @@
 
 #include <deal.II/dofs/dof_handler.h>
 
-#include <deal.II/fe/mapping.h>
+#include <deal.II/hp/mapping_collection.h>
 
 #include <string>
 #include <vector>
@@ -43,15 +43,15 @@ namespace stickslip
      * its body or has not `dim` coordinates.
      */
     void
-    locate(const Mapping<dim> &mapping, const DoFHandler<dim> &dof_handler);
+    locate(const hp::MappingCollection<dim> &mapping,
+           const DoFHandler<dim>            &dof_handler);
 
     /**
      * The displacements at the points, in the order of Output/Points, on all
      * ranks. @p displacement is ghosted. Collective.
      */
     std::vector<Tensor<1, dim>>
-    evaluate(const DoFHandler<dim> &dof_handler,
-             const LA::Vector      &displacement) const;
+    evaluate(const LA::Vector &displacement) const;
 
     /// A result at a point. Results of one family have one unit.
     struct NamedValue
@@ -65,8 +65,7 @@ namespace stickslip
      * order, on all ranks. @p faces: the locally owned slave faces. Collective.
      */
     std::vector<NamedValue>
-    named_values(const DoFHandler<dim>                     &dof_handler,
-                 const LA::Vector                          &displacement,
+    named_values(const LA::Vector                          &displacement,
                  const MaterialFields<dim>                 &material,
                  const std::vector<ContactFaceResult<dim>> &faces) const;
 
@@ -78,7 +77,6 @@ namespace stickslip
     void
     write(const unsigned int                         step,
           const double                               time,
-          const DoFHandler<dim>                     &dof_handler,
           const LA::Vector                          &displacement,
           const MaterialFields<dim>                 &material = {},
           const std::vector<ContactFaceResult<dim>> &faces    = {});
@@ -108,14 +106,13 @@ namespace stickslip
     };
 
     Location
-    locate_locally(const NamedPoint      &point,
-                   const Mapping<dim>    &mapping,
-                   const DoFHandler<dim> &dof_handler) const;
+    locate_locally(const NamedPoint                 &point,
+                   const hp::MappingCollection<dim> &mapping,
+                   const DoFHandler<dim>            &dof_handler) const;
 
     /// Adds the stress and the history of a point. Collective.
     void
     add_material_state(const unsigned int         point,
-                       const FiniteElement<dim>  &element,
                        const MaterialFields<dim> &material,
                        std::vector<NamedValue>   &values) const;
 

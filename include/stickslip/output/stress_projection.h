@@ -5,7 +5,7 @@
 
 #include <deal.II/dofs/dof_handler.h>
 
-#include <deal.II/fe/mapping.h>
+#include <deal.II/hp/mapping_collection.h>
 
 #include <deal.II/lac/la_parallel_vector.h>
 
@@ -31,9 +31,9 @@ namespace stickslip
   {
   public:
     /// Collective. The triangulation of @p displacement_dof_handler is used.
-    StressProjection(const Mapping<dim>        &mapping,
-                     const DoFHandler<dim>     &displacement_dof_handler,
-                     const MaterialFields<dim> &material);
+    StressProjection(const hp::MappingCollection<dim> &mapping,
+                     const DoFHandler<dim>            &displacement_dof_handler,
+                     const MaterialFields<dim>        &material);
 
     using Field = LinearAlgebra::distributed::Vector<float>;
 

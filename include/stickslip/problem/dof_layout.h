@@ -10,18 +10,18 @@
 
 #include <deal.II/dofs/dof_handler.h>
 
-#include <deal.II/fe/fe_system.h>
-#include <deal.II/fe/mapping.h>
+#include <deal.II/hp/fe_collection.h>
+#include <deal.II/hp/mapping_collection.h>
 
-#include <memory>
+#include <vector>
 
 namespace stickslip
 {
   /**
-   * The displacement space: FE_Q(degree)^dim on an isoparametric mapping
-   * (mesh/conforming_mapping.h), or FE_SimplexP(degree)^dim on straight cells.
-   * Its support points are the nodes of the geometry, which the contact faces
-   * rely on.
+   * The displacement space: FE_Q(degree)^dim and FE_SimplexP(degree)^dim, each
+   * on the cells of its kind, on isoparametric mappings
+   * (mesh/conforming_mapping.h). Its support points are the nodes of the
+   * geometry, which the contact faces rely on.
    */
   template <int dim>
   class DofLayout
@@ -30,17 +30,34 @@ namespace stickslip
     DofLayout(const parallel::DistributedTriangulationBase<dim> &triangulation,
               const unsigned int                                 degree);
 
-    const ReferenceCell cells; ///< of all bodies
+    unsigned int
+    degree() const
+    {
+      return elements[0].degree;
+    }
 
-  private:
-    const std::unique_ptr<const Mapping<dim>> owned_mapping;
+    /// The cells and the element of a model with one kind of cells: what can be
+    /// refined while it is computed has no other.
+    const ReferenceCell &
+    cells() const
+    {
+      AssertDimension(kinds.size(), 1);
+      return kinds[0];
+    }
 
-  public:
-    const Mapping<dim> &mapping;
-    const FESystem<dim> fe;
-    DoFHandler<dim>     dof_handler;
-    IndexSet            owned;
-    IndexSet            relevant;
+    const FiniteElement<dim> &
+    fe() const
+    {
+      AssertDimension(kinds.size(), 1);
+      return elements[0];
+    }
+
+    const std::vector<ReferenceCell> kinds; ///< of the cells of all bodies
+    const hp::MappingCollection<dim> mapping;
+    const hp::FECollection<dim>      elements;
+    DoFHandler<dim>                  dof_handler;
+    IndexSet                         owned;
+    IndexSet                         relevant;
   };
 
   /// [displacements, multipliers] as one index set, multipliers shifted.

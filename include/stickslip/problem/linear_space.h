@@ -51,7 +51,7 @@ namespace stickslip
 
   private:
     const DofLayout<dim>             &fine;
-    const FESystem<dim>               fe;
+    const hp::FECollection<dim>       elements;
     DoFHandler<dim>                   dof_handler;
     IndexSet                          owned;
     MPI_Comm                          communicator;

@@ -9,7 +9,7 @@
 
 #include <deal.II/dofs/dof_handler.h>
 
-#include <deal.II/fe/mapping.h>
+#include <deal.II/hp/mapping_collection.h>
 
 #include <memory>
 #include <vector>
@@ -40,11 +40,11 @@ namespace stickslip
    */
   template <int dim>
   NearNullSpace
-  rigid_modes(const Mapping<dim>              &mapping,
-              const DoFHandler<dim>           &dof_handler,
-              const Constraints               &constraints,
-              const Bodies                    &bodies,
-              const std::vector<unsigned int> &colours);
+  rigid_modes(const hp::MappingCollection<dim> &mapping,
+              const DoFHandler<dim>            &dof_handler,
+              const Constraints                &constraints,
+              const Bodies                     &bodies,
+              const std::vector<unsigned int>  &colours);
 } // namespace stickslip
 
 #endif

@@ -14,7 +14,7 @@
 
 #include <deal.II/dofs/dof_handler.h>
 
-#include <deal.II/fe/mapping.h>
+#include <deal.II/hp/mapping_collection.h>
 
 #include <memory>
 #include <optional>
@@ -67,11 +67,11 @@ namespace stickslip
      * boundary is not plane. Call before constraints.close().
      */
     void
-    add_prescribed_displacements(const Mapping<dim>    &mapping,
-                                 const DoFHandler<dim> &dof_handler,
-                                 const double           time,
-                                 const LA::Vector      &u,
-                                 Constraints           &constraints) const;
+    add_prescribed_displacements(const hp::MappingCollection<dim> &mapping,
+                                 const DoFHandler<dim>            &dof_handler,
+                                 const double                      time,
+                                 const LA::Vector                 &u,
+                                 Constraints &constraints) const;
 
     /// Adds the periodicity constraints (homogeneous). Collective. Call before
     /// add_prescribed_displacements().
@@ -100,7 +100,7 @@ namespace stickslip
     /// The boundaries that distributed forces act on (ForceDistribution).
     /// Collective. Before the forces are asked for.
     void
-    measure_distributed_forces(const Mapping<dim>    &mapping,
+    measure_distributed_forces(const hp::MappingCollection<dim> &mapping,
                                const DoFHandler<dim> &dof_handler) const;
 
     const std::vector<Load<dim>> &

@@ -13,7 +13,7 @@
 
 #include <deal.II/dofs/dof_handler.h>
 
-#include <deal.II/fe/mapping.h>
+#include <deal.II/hp/mapping_collection.h>
 
 #include <memory>
 #include <set>
@@ -52,7 +52,7 @@ namespace stickslip
     /// planes of symmetry that cut the boundary. Before traction() and
     /// mean_motion(). Collective.
     void
-    measure(const Mapping<dim>                             &mapping,
+    measure(const hp::MappingCollection<dim>               &mapping,
             const DoFHandler<dim>                          &dof_handler,
             const std::set<types::boundary_id>             &boundary,
             const CrossSection                             &section,
@@ -65,7 +65,7 @@ namespace stickslip
     /// Torque, displacement and rotation (small, in degrees) of the reference
     /// point for the displacements @p u (ghosted). Collective.
     RigidReaction<dim>
-    mean_motion(const Mapping<dim>                 &mapping,
+    mean_motion(const hp::MappingCollection<dim>   &mapping,
                 const DoFHandler<dim>              &dof_handler,
                 const std::set<types::boundary_id> &boundary,
                 const CrossSection                 &section,

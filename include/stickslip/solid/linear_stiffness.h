@@ -5,6 +5,8 @@
 
 #include <deal.II/dofs/dof_handler.h>
 
+#include <deal.II/hp/fe_collection.h>
+
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/sparsity_pattern.h>
 #include <deal.II/lac/vector.h>
@@ -33,10 +35,10 @@ namespace stickslip
     using CellStiffness =
       std::function<void(const CellIterator &, FullMatrix<double> &)>;
 
-    /// Sums up @p stiffness_of the @p cells, whose element is @p fe (dim equal
-    /// scalar elements).
+    /// Sums up @p stiffness_of the @p cells, whose elements are dim equal
+    /// scalar ones.
     void
-    assemble(const FiniteElement<dim>        &fe,
+    assemble(const hp::FECollection<dim>     &elements,
              const std::vector<CellIterator> &cells,
              const CellStiffness             &stiffness_of);
 
@@ -70,10 +72,13 @@ namespace stickslip
     std::vector<std::size_t> mirrored_begins; ///< by node
     std::vector<Mirrored>    mirrored;
 
-    /// @p local are the degrees of freedom of the nodes of a cell.
+    /// The degrees of freedom of the nodes of a cell.
+    using CellNodes = std::vector<std::array<unsigned int, dim>>;
+
+    /// @p local has them for each kind of cells.
     void
-    number_nodes(const std::vector<std::array<unsigned int, dim>> &local,
-                 const std::vector<CellIterator>                  &cells);
+    number_nodes(const std::vector<CellNodes>    &local,
+                 const std::vector<CellIterator> &cells);
 
     /// Finds the blocks left of the diagonal.
     void

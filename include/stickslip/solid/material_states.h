@@ -5,21 +5,18 @@
 
 #include <stickslip/mesh/body.h>
 
-#include <stickslip/solid/cell_deformation.h>
-#include <stickslip/solid/cell_kernel.h>
+#include <stickslip/solid/cell_scratch.h>
 #include <stickslip/solid/constitutive_law.h>
 #include <stickslip/solid/history_fields.h>
 #include <stickslip/solid/mean_dilatation.h>
 #include <stickslip/solid/point_history.h>
 
 #include <deal.II/base/point.h>
-#include <deal.II/base/quadrature.h>
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <deal.II/dofs/dof_handler.h>
 
-#include <deal.II/fe/fe_values.h>
-#include <deal.II/fe/mapping.h>
+#include <deal.II/hp/mapping_collection.h>
 
 #include <memory>
 #include <optional>
@@ -59,9 +56,8 @@ namespace stickslip
      * references to everything.
      */
     MaterialStates(
-      const Mapping<dim>                                        &mapping,
+      const hp::MappingCollection<dim>                          &mapping,
       const DoFHandler<dim>                                     &dof_handler,
-      const Quadrature<dim>                                     &quadrature,
       const Bodies                                              &bodies,
       const std::vector<std::shared_ptr<const ConstitutiveLaw>> &laws,
       const std::vector<std::optional<MeanDilatation<dim>>> &mean_dilatation,
@@ -87,9 +83,10 @@ namespace stickslip
 
   private:
     MaterialState<dim>
-    state_at(const unsigned int       q,
+    state_at(const CellScratch<dim>  &at,
+             const unsigned int       q,
              const unsigned int       cell_index,
-             const types::material_id material);
+             const types::material_id material) const;
 
     const Bodies                                              &bodies;
     const std::vector<std::shared_ptr<const ConstitutiveLaw>> &laws;
@@ -98,11 +95,7 @@ namespace stickslip
 
     const HistoryFields history_fields;
 
-    // Scratch of a cell.
-    FEValues<dim>                        fe_values;
-    ElementArrays<dim>                   element;
-    CellDeformation<dim>                 deformation;
-    std::vector<types::global_dof_index> dof_indices;
+    ByKind<CellScratch<dim>> scratch;
   };
 } // namespace stickslip
 

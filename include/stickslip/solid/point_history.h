@@ -18,12 +18,12 @@ namespace stickslip
   {
   public:
     /**
-     * Room for @p n_points points per cell with n_variables[c] variables each
-     * in cell c (by active cell index; 0 for cells without history).
+     * Room for n_points[c] points with n_variables[c] variables each in cell c
+     * (by active cell index; 0 for cells without history).
      */
     void
     reinit(const std::vector<unsigned int> &n_variables,
-           const unsigned int               n_points);
+           const std::vector<unsigned int> &n_points);
 
     /// Accepted variables of one point.
     dealii::ArrayView<const double>
@@ -54,8 +54,7 @@ namespace stickslip
 
   private:
     std::vector<std::size_t>  first; ///< of each cell, and the total at the end
-    std::vector<unsigned int> n_variables;
-    unsigned int              n_points = 0;
+    std::vector<unsigned int> n_variables; ///< of a point of each cell
     std::vector<double>       accepted_values;
     std::vector<double>       trial_values;
   };

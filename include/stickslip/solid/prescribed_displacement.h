@@ -13,7 +13,7 @@
 
 #include <deal.II/dofs/dof_handler.h>
 
-#include <deal.II/fe/mapping.h>
+#include <deal.II/hp/mapping_collection.h>
 
 #include <array>
 #include <map>
@@ -103,7 +103,7 @@ namespace stickslip
    */
   template <int dim>
   std::map<types::global_dof_index, HeldNode<dim>>
-  find_held_nodes(const Mapping<dim>                             &mapping,
+  find_held_nodes(const hp::MappingCollection<dim>               &mapping,
                   const DoFHandler<dim>                          &dof_handler,
                   const Bodies                                   &bodies,
                   const std::vector<PrescribedDisplacement<dim>> &conditions,

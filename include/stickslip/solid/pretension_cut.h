@@ -51,10 +51,10 @@ namespace stickslip
      * of them, or one on one side only, or along the bolt. Keeps a copy of all
      * nodes of the first side. Collective.
      */
-    PretensionCut(const Pretension<dim> &condition,
-                  const Mapping<dim>    &mapping,
-                  const DoFHandler<dim> &dof_handler,
-                  const Bodies          &bodies,
+    PretensionCut(const Pretension<dim>            &condition,
+                  const hp::MappingCollection<dim> &mapping,
+                  const DoFHandler<dim>            &dof_handler,
+                  const Bodies                     &bodies,
                   const std::map<types::global_dof_index, HeldNode<dim>> &held,
                   const std::vector<PrescribedDisplacement<dim>> &conditions,
                   const Constraints                              &geometric);

@@ -45,11 +45,11 @@ namespace stickslip
    */
   template <int dim>
   std::vector<FreeMotion>
-  free_rigid_motions(const BoundaryConditions<dim> &conditions,
-                     const Bodies                  &bodies,
-                     const Mapping<dim>            &mapping,
-                     const DoFHandler<dim>         &dof_handler,
-                     const double                   softest_spring = 0.);
+  free_rigid_motions(const BoundaryConditions<dim>    &conditions,
+                     const Bodies                     &bodies,
+                     const hp::MappingCollection<dim> &mapping,
+                     const DoFHandler<dim>            &dof_handler,
+                     const double                      softest_spring = 0.);
 
   /**
    * The same of groups of bodies that move as one: @p group_of_body gives the
@@ -59,12 +59,12 @@ namespace stickslip
    */
   template <int dim>
   std::vector<FreeMotion>
-  free_motions_of_groups(const BoundaryConditions<dim>   &conditions,
-                         const Bodies                    &bodies,
-                         const Mapping<dim>              &mapping,
-                         const DoFHandler<dim>           &dof_handler,
-                         const std::vector<unsigned int> &group_of_body,
-                         const double                     softest_spring = 0.);
+  free_motions_of_groups(const BoundaryConditions<dim>    &conditions,
+                         const Bodies                     &bodies,
+                         const hp::MappingCollection<dim> &mapping,
+                         const DoFHandler<dim>            &dof_handler,
+                         const std::vector<unsigned int>  &group_of_body,
+                         const double                      softest_spring = 0.);
 
   /// Numbers of groups, one per body: the same for bodies that cuts join.
   template <int dim>

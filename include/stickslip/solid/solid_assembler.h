@@ -6,8 +6,7 @@
 #include <stickslip/mesh/body.h>
 
 #include <stickslip/solid/boundary_conditions.h>
-#include <stickslip/solid/cell_deformation.h>
-#include <stickslip/solid/cell_kernel.h>
+#include <stickslip/solid/cell_scratch.h>
 #include <stickslip/solid/constitutive_law.h>
 #include <stickslip/solid/inadmissible_point.h>
 #include <stickslip/solid/linear_stiffness.h>
@@ -17,12 +16,9 @@
 #include <stickslip/solid/surface_loads.h>
 #include <stickslip/solid/viscous_stabilization.h>
 
-#include <deal.II/base/quadrature.h>
-
 #include <deal.II/dofs/dof_handler.h>
 
-#include <deal.II/fe/fe_values.h>
-#include <deal.II/fe/mapping.h>
+#include <deal.II/hp/mapping_collection.h>
 
 #include <memory>
 #include <optional>
@@ -39,8 +35,8 @@ namespace stickslip
    * forces)
    *
    * with cell_quadrature() in the reference cells. Works with any FESystem of
-   * dim equal FE_Q or FE_SimplexP. Cells of rigid bodies are skipped, and those
-   * of linear laws are evaluated once.
+   * dim equal FE_Q or FE_SimplexP, one for each kind of cells. Cells of rigid
+   * bodies are skipped, and those of linear laws are evaluated once.
    */
   template <int dim>
   class SolidAssembler
@@ -59,7 +55,7 @@ namespace stickslip
      * Collective.
      */
     SolidAssembler(
-      const Mapping<dim>                                        &mapping,
+      const hp::MappingCollection<dim>                          &mapping,
       const DoFHandler<dim>                                     &dof_handler,
       const Bodies                                              &bodies,
       const std::vector<std::shared_ptr<const ConstitutiveLaw>> &laws,
@@ -151,13 +147,6 @@ namespace stickslip
       return *laws[material];
     }
 
-    /// The quadrature formula of the cells.
-    const Quadrature<dim> &
-    cell_quadrature() const
-    {
-      return quadrature;
-    }
-
     const PointHistory &
     point_history() const
     {
@@ -197,23 +186,23 @@ namespace stickslip
     void
     assemble_linear_stiffness(const LA::Vector &u);
 
-    /// Moves the scratch to the cell.
-    void
-    begin_cell(const CellIterator &cell, const LA::Vector &u);
-
-    /// Makes `element` hold the forces (without those of linear stiffness) and,
-    /// with_tangent, the stiffness of one cell.
-    void
+    /// Forces (without those of linear stiffness) and, with_tangent, stiffness
+    /// of one cell. Returns the scratch that has them.
+    const CellScratch<dim> &
     evaluate_cell(const CellIterator &cell,
                   const LA::Vector   &u,
                   const double        time,
                   const bool          with_tangent);
 
     void
-    add_stresses(const CellIterator &cell, const bool with_tangent);
+    add_stresses(const CellIterator &cell,
+                 const bool          with_tangent,
+                 CellScratch<dim>   &at);
 
     void
-    add_body_forces(const CellIterator &cell, const double time);
+    add_body_forces(const CellIterator &cell,
+                    const double        time,
+                    CellScratch<dim>   &at);
 
     /// A diagonal of the size of the stiffness elsewhere.
     void
@@ -222,9 +211,10 @@ namespace stickslip
                    LA::SparseMatrix   &matrix);
 
     void
-    record_failure(const CellIterator &cell,
-                   const unsigned int  q,
-                   const bool          has_volume);
+    record_failure(const CellIterator     &cell,
+                   const CellScratch<dim> &at,
+                   const unsigned int      q,
+                   const bool              has_volume);
 
     const DoFHandler<dim>                                    &dof_handler;
     const Bodies                                             &bodies;
@@ -233,7 +223,6 @@ namespace stickslip
     /// By material id; empty where the dilatation is that of the point.
     std::vector<std::optional<MeanDilatation<dim>>> mean_dilatation;
 
-    const Quadrature<dim>     quadrature;
     PointHistory              history;
     MaterialStates<dim>       material_states;
     SurfaceLoads<dim>         surface_loads;
@@ -245,12 +234,7 @@ namespace stickslip
 
     InadmissiblePoint<dim> failure; ///< of the last evaluation
 
-    // Scratch of the cell loop.
-    FEValues<dim>                        fe_values;
-    ElementArrays<dim>                   element;
-    CellDeformation<dim>                 deformation;
-    FullMatrix<double>                   stiffness;
-    std::vector<types::global_dof_index> dof_indices;
+    ByKind<CellScratch<dim>> scratch;
 
     /// By body.
     std::vector<std::vector<const Load<dim> *>> body_forces;

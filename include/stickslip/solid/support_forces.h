@@ -25,12 +25,12 @@ namespace stickslip
    */
   template <int dim>
   std::vector<std::pair<std::string, Tensor<1, dim>>>
-  support_forces(const BoundaryConditions<dim> &conditions,
-                 const Mapping<dim>            &mapping,
-                 const DoFHandler<dim>         &dof_handler,
-                 const Bodies                  &bodies,
-                 const double                   time,
-                 const LA::Vector              &unbalanced);
+  support_forces(const BoundaryConditions<dim>    &conditions,
+                 const hp::MappingCollection<dim> &mapping,
+                 const DoFHandler<dim>            &dof_handler,
+                 const Bodies                     &bodies,
+                 const double                      time,
+                 const LA::Vector                 &unbalanced);
 } // namespace stickslip
 
 #endif

@@ -3,13 +3,15 @@
 
 #include <stickslip/base/types.h>
 
+#include <stickslip/mesh/by_kind.h>
+
 #include <stickslip/solid/cell_kernel.h>
 #include <stickslip/solid/load.h>
 
 #include <deal.II/dofs/dof_handler.h>
 
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/fe/mapping.h>
+#include <deal.II/hp/mapping_collection.h>
 
 #include <map>
 #include <vector>
@@ -32,9 +34,9 @@ namespace stickslip
   {
   public:
     /// Keeps references to @p mapping and to the members of @p loads.
-    SurfaceLoads(const Mapping<dim>           &mapping,
-                 const FiniteElement<dim>     &fe,
-                 const std::vector<Load<dim>> &loads);
+    SurfaceLoads(const hp::MappingCollection<dim> &mapping,
+                 const DoFHandler<dim>            &dof_handler,
+                 const std::vector<Load<dim>>     &loads);
 
     /// True if add_cell() has something to add.
     bool
@@ -49,21 +51,23 @@ namespace stickslip
 
   private:
     void
-    add_load(const Load<dim>    &load,
-             const double        time,
-             const bool          with_tangent,
-             ElementArrays<dim> &element);
+    add_load(const Load<dim>         &load,
+             const FEFaceValues<dim> &fe_face_values,
+             const double             time,
+             const bool               with_tangent,
+             ElementArrays<dim>      &element) const;
 
     void
-    add_tangent(const Load<dim>    &load,
-                const unsigned int  q,
-                const Tensor<2, 3> &F,
-                const double        time,
-                ElementArrays<dim> &element);
+    add_tangent(const Load<dim>         &load,
+                const FEFaceValues<dim> &fe_face_values,
+                const unsigned int       q,
+                const Tensor<2, 3>      &F,
+                const double             time,
+                ElementArrays<dim>      &element) const;
 
     std::map<types::boundary_id, std::vector<const Load<dim> *>> loads_of;
 
-    FEFaceValues<dim> fe_face_values;
+    ByKind<FEFaceValues<dim>> values_of_faces;
   };
 
   /**

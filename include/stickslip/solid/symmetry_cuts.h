@@ -5,7 +5,7 @@
 
 #include <deal.II/dofs/dof_handler.h>
 
-#include <deal.II/fe/mapping.h>
+#include <deal.II/hp/mapping_collection.h>
 
 #include <set>
 #include <vector>
@@ -21,7 +21,7 @@ namespace stickslip
   template <int dim>
   std::vector<Tensor<1, dim>>
   normals_of_symmetry_cuts(
-    const Mapping<dim>                             &mapping,
+    const hp::MappingCollection<dim>               &mapping,
     const DoFHandler<dim>                          &dof_handler,
     const std::set<types::boundary_id>             &boundary,
     const std::vector<PrescribedDisplacement<dim>> &conditions);

@@ -3,13 +3,9 @@
 
 #include <stickslip/base/types.h>
 
-#include <stickslip/solid/cell_kernel.h>
+#include <stickslip/solid/cell_scratch.h>
 
 #include <deal.II/dofs/dof_handler.h>
-
-#include <deal.II/fe/fe_values.h>
-
-#include <vector>
 
 namespace stickslip
 {
@@ -49,28 +45,27 @@ namespace stickslip
       return coefficient > 0. && step_size > 0. && u_old != nullptr;
     }
 
-    /// Adds the forces of a cell, whose displacements @p element has, and their
-    /// tangent.
-    void
-    add_cell(const FEValues<dim>                        &fe_values,
-             const std::vector<types::global_dof_index> &dof_indices,
-             const double                                modulus,
-             const bool                                  with_tangent,
-             ElementArrays<dim>                         &element);
+    using CellIterator = typename DoFHandler<dim>::active_cell_iterator;
 
-    /// Work of the forces of a cell in this step.
+    /// Adds the forces of the cell that @p at is at, and their tangent.
+    void
+    add_cell(const CellIterator &cell,
+             const double        modulus,
+             const bool          with_tangent,
+             CellScratch<dim>   &at);
+
+    /// Work of these forces in this step.
     double
-    work(const FEValues<dim>                        &fe_values,
-         const std::vector<types::global_dof_index> &dof_indices,
-         const double                                modulus,
-         const ElementArrays<dim>                   &element);
+    work(const CellIterator     &cell,
+         const double            modulus,
+         const CellScratch<dim> &at);
 
   private:
-    const double       extent;
-    double             coefficient = 0.;
-    double             step_size   = 0.;
-    const LA::Vector  *u_old       = nullptr;
-    ElementArrays<dim> old_element;
+    const double               extent;
+    double                     coefficient = 0.;
+    double                     step_size   = 0.;
+    const LA::Vector          *u_old       = nullptr;
+    ByKind<ElementArrays<dim>> old_elements;
   };
 } // namespace stickslip
 

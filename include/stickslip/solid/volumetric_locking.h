@@ -7,8 +7,6 @@
 
 #include <stickslip/solid/material_parameters.h>
 
-#include <deal.II/fe/fe.h>
-
 #include <string>
 #include <vector>
 
@@ -21,11 +19,10 @@ namespace stickslip
    * B-bar average over a cell what is constant there. Plane stress does not
    * lock.
    */
-  template <int dim>
   std::vector<std::string>
   warnings_about_locking(const NamedList<MaterialParameters> &materials,
                          const Bodies                        &bodies,
-                         const FiniteElement<dim>            &fe);
+                         const unsigned int                   degree);
 } // namespace stickslip
 
 #endif

@@ -17,23 +17,12 @@
 
 namespace stickslip
 {
-  namespace
-  {
-    std::string
-    path_of(const std::string &pair_name)
-    {
-      return "Contact/" + pair_name;
-    }
-  } // namespace
-
-
-
   template <int dim>
   ContactPair<dim>::ContactPair(
     const std::string                                     &name,
     const ContactPairParameters                           &parameters,
     const PairSurfaces                                    &surfaces,
-    const Mapping<dim>                                    &mapping,
+    const hp::MappingCollection<dim>                      &mapping,
     const DoFHandler<dim>                                 &dof_handler,
     const std::function<double(const types::material_id)> &modulus,
     const ToolMaster<dim>                                 &tool,
@@ -42,30 +31,32 @@ namespace stickslip
     , name(name)
     , surfaces(surfaces)
     , displacement_shape(dof_handler.get_fe().degree,
-                         faces_of<dim>(dof_handler.get_fe().reference_cell()))
+                         faces_of<dim>(surfaces.slave_cells))
     , multiplier_shape(make_multiplier_shape(parameters,
                                              displacement_shape,
-                                             path_of(name),
+                                             path(),
                                              surfaces.cross_section))
-    , gap_offsets(parameters, path_of(name))
+    , gap_offsets(parameters, path())
     , communicator(communicator)
   {
     if (meets_itself())
-      parameters.check_self_contact(path_of(name));
+      parameters.check_self_contact(path());
+
+    const FaceShape<dim> master_shape(displacement_shape.degree(),
+                                      faces_of<dim>(surfaces.master_cells));
 
     const auto collect = [&](const std::set<types::boundary_id> &boundary,
                              const std::set<types::boundary_id> &body) {
       auto faces = collect_faces(mapping, dof_handler, boundary, modulus, true);
       drop_faces_on_axis(surfaces.cross_section, faces);
-      measure_thickness(
-        dof_handler, body, displacement_shape, communicator, faces);
+      measure_thickness(dof_handler, body, communicator, faces);
       return faces;
     };
     const auto slaves  = collect(surfaces.slave, surfaces.slave_body);
     auto       masters = collect(surfaces.master, surfaces.master_body);
     if (parameters.has_smoothed_normals() && !tool.tool)
       add_nodal_normals(masters,
-                        displacement_shape,
+                        master_shape,
                         parameters.smoothing_angle * numbers::PI / 180.);
     std::vector<SurfaceFace<dim>> owned_masters = tool.owned_frame;
     for (const auto &master : masters)
@@ -95,12 +86,12 @@ namespace stickslip
                                        parameters.least_cosine,
                                        meets_itself()};
     patch = std::make_unique<MasterPatch<dim>>(
-      owned_masters, displacement_shape, tolerances, communicator, tool.tool);
+      owned_masters, master_shape, tolerances, communicator, tool.tool);
 
     excluded = excluded_slave_nodes(slaves,
                                     surfaces.excluded,
                                     parameters.excluded_points,
-                                    path_of(name) + "/Excluded points",
+                                    path() + "/Excluded points",
                                     mapping,
                                     dof_handler,
                                     communicator);
@@ -111,10 +102,8 @@ namespace stickslip
       contact_quadrature(parameters.quadrature,
                          parameters.quadrature_order,
                          multiplier_shape,
-                         path_of(name));
-    check_multipliers_are_determined(quadrature,
-                                     multiplier_shape,
-                                     path_of(name));
+                         path());
+    check_multipliers_are_determined(quadrature, multiplier_shape, path());
     table =
       SlaveShapeTable<dim>(displacement_shape, multiplier_shape, quadrature);
     points = make_contact_points(quadrature,
@@ -130,10 +119,11 @@ namespace stickslip
                      multiplier_keys(),
                      multiplier_shape.n_nodes(),
                      parameters,
-                     path_of(name),
+                     path(),
                      points);
     if (parameters.has_segments())
       mortar = std::make_unique<MortarSurface<dim>>(displacement_shape,
+                                                    master_shape,
                                                     multiplier_shape,
                                                     parameters,
                                                     slaves,

@@ -72,7 +72,7 @@ namespace stickslip
       for (const auto &point : segments.points)
         {
           weights.push_back(point.weight * nearness(point.xi));
-          shape.evaluate_values(point.eta, N);
+          patch.face_shape().evaluate_values(point.eta, N);
           x_m.push_back(interpolate<dim>(
             N, patch.configuration(segments.masters[point.master]).positions));
           sum += weights.back();
@@ -127,7 +127,7 @@ namespace stickslip
                   const Opposite<dim>                    &opposite) const
       {
         const Nearness<dim>      nearness(shape, around.displacement);
-        const PartnerMotion<dim> motion(shape, slave);
+        const PartnerMotion<dim> motion(shape, patch.face_shape(), slave);
         TangentDerivatives<dim>  D_S;
         D_S.fill(std::vector<Tensor<1, dim>>(n_columns));
         typename PartnerMotion<dim>::Partner partner;
@@ -145,7 +145,7 @@ namespace stickslip
             const auto weights =
               weights_at(point.xi, nearness, opposite, point.weight);
             for (unsigned int d = 0; d < dim - 1; ++d)
-              for (unsigned int k = 0; k < shape.n_nodes(); ++k)
+              for (unsigned int k = 0; k < partner.master.value.size(); ++k)
                 for (unsigned int c = 0; c < dim; ++c)
                   D_S[d][columns[(shape.n_nodes() + k) * dim + c]][c] +=
                     weights[d] * partner.master.value[k];
@@ -214,7 +214,7 @@ namespace stickslip
               }
             const auto &positions = patch.configuration(m).positions;
             motion.border_motion(end, positions, gain);
-            shape.evaluate_values(end.eta, N_master);
+            patch.face_shape().evaluate_values(end.eta, N_master);
             const Tensor<1, dim> x =
               interpolate<dim>(N_master, positions) - opposite.mean_x;
             const auto weights = weights_at(end.xi, nearness, opposite, 1.);

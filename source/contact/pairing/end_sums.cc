@@ -5,12 +5,13 @@
 namespace stickslip
 {
   template <int dim>
-  EndSums<dim>::EndSums(const unsigned int n_nodes,
+  EndSums<dim>::EndSums(const unsigned int n_slave,
+                        const unsigned int n_master,
                         const unsigned int n_multipliers)
-    : area(1, 2 * n_nodes * dim)
-    , of_slave(n_nodes, 2 * n_nodes * dim)
-    , of_master(n_nodes, 2 * n_nodes * dim)
-    , of_dual(n_multipliers, 2 * n_nodes * dim)
+    : area(1, (n_slave + n_master) * dim)
+    , of_slave(n_slave, (n_slave + n_master) * dim)
+    , of_master(n_master, (n_slave + n_master) * dim)
+    , of_dual(n_multipliers, (n_slave + n_master) * dim)
   {}
 
 
@@ -82,13 +83,15 @@ namespace stickslip
       {
         const unsigned int own = around.stencil[j];
         add(1., of_slave, j, derivative.D_D, own);
+        for (unsigned int m = 0; m < of_dual.m(); ++m)
+          add(integrals.D(m, j), of_dual, m, derivative.D_D, own);
+      }
+    for (unsigned int j = 0; j < of_master.m(); ++j)
+      {
         add(1., of_master, j, derivative.D_M, rows[master][j]);
         for (unsigned int m = 0; m < of_dual.m(); ++m)
-          {
-            add(integrals.D(m, j), of_dual, m, derivative.D_D, own);
-            for (unsigned int i = 0; i < rows.size(); ++i)
-              add(integrals.M[i](m, j), of_dual, m, derivative.D_M, rows[i][j]);
-          }
+          for (unsigned int i = 0; i < rows.size(); ++i)
+            add(integrals.M[i](m, j), of_dual, m, derivative.D_M, rows[i][j]);
       }
     for (FullMatrix<double> *sums : {&area, &of_slave, &of_master, &of_dual})
       *sums = 0.;

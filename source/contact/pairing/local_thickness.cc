@@ -2,6 +2,9 @@
 
 #include <stickslip/contact/pairing/face_boxes.h>
 
+#include <stickslip/mesh/by_kind.h>
+#include <stickslip/mesh/reference_cells.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <deal.II/boost_adaptors/segment.h>
@@ -12,6 +15,7 @@
 #include <array>
 #include <limits>
 #include <map>
+#include <memory>
 #include <utility>
 
 namespace stickslip
@@ -219,7 +223,6 @@ namespace stickslip
   void
   measure_thickness(const DoFHandler<dim>              &dof_handler,
                     const std::set<types::boundary_id> &boundary_of_body,
-                    const FaceShape<dim>               &shape,
                     const MPI_Comm                     &communicator,
                     std::vector<CollectedFace<dim>>    &faces)
   {
@@ -247,10 +250,16 @@ namespace stickslip
       return Segment<dim>(ray.origin, ray.origin + length * ray.direction);
     };
 
+    const ByKind<FaceShape<dim>> shapes(
+      dof_handler.get_fe_collection(),
+      [](const FiniteElement<dim> &fe, const unsigned int) {
+        return std::make_unique<FaceShape<dim>>(
+          fe.degree, faces_of<dim>(fe.reference_cell()));
+      });
     std::map<unsigned int, std::vector<Ray<dim>>> rays;
     for (unsigned int f = 0; f < faces.size(); ++f)
       {
-        const Ray<dim>         ray = ray_from(f, faces[f].face, shape);
+        const Ray<dim> ray = ray_from(f, faces[f].face, shapes[faces[f].cell]);
         std::set<unsigned int> ranks;
         for (const auto &hit :
              rank_tree | bgi::adaptors::queried(bgi::intersects(whole(ray))))
@@ -273,7 +282,6 @@ namespace stickslip
 #define INSTANTIATE(dim)                                                \
   template void measure_thickness(const DoFHandler<dim> &,              \
                                   const std::set<types::boundary_id> &, \
-                                  const FaceShape<dim> &,               \
                                   const MPI_Comm &,                     \
                                   std::vector<CollectedFace<dim>> &);
   INSTANTIATE(2)

@@ -37,30 +37,30 @@ namespace stickslip
     template <int dim>
     MeanShape
     mean_shape(const std::vector<SegmentPoint<dim>> &points,
-               const FaceShape<dim>                 &shape)
+               const FaceShape<dim>                 &slave_shape,
+               const FaceShape<dim>                 &master_shape)
     {
-      const unsigned int  n = shape.n_nodes();
-      MeanShape           mean{std::vector<double>(n), std::vector<double>(n)};
+      MeanShape           mean{std::vector<double>(slave_shape.n_nodes()),
+                     std::vector<double>(master_shape.n_nodes())};
       std::vector<double> N;
       double              area = 0.;
-      const auto          add  = [&](const Point<dim - 1> &xi,
+      const auto          add  = [&](const FaceShape<dim> &shape,
+                           const Point<dim - 1> &xi,
                            const double          weight,
                            std::vector<double>  &sum) {
         shape.evaluate_values(xi, N);
-        for (unsigned int j = 0; j < n; ++j)
+        for (unsigned int j = 0; j < N.size(); ++j)
           sum[j] += weight * N[j];
       };
       for (const auto &point : points)
         {
           area += point.weight;
-          add(point.xi, point.weight, mean.slave);
-          add(point.eta, point.weight, mean.master);
+          add(slave_shape, point.xi, point.weight, mean.slave);
+          add(master_shape, point.eta, point.weight, mean.master);
         }
-      for (unsigned int j = 0; j < n; ++j)
-        {
-          mean.slave[j] /= area;
-          mean.master[j] /= area;
-        }
+      for (auto *values : {&mean.slave, &mean.master})
+        for (double &value : *values)
+          value /= area;
       return mean;
     }
 
@@ -71,14 +71,16 @@ namespace stickslip
     template <int dim>
     void
     measure_candidate(const MortarFace<dim>  &slave,
+                      const FaceShape<dim>   &slave_shape,
                       const Tensor<1, dim>   &n,
                       const Tensor<1, dim>   &old_n,
                       const MasterPatch<dim> &patch,
                       FaceCandidate<dim>     &candidate)
     {
-      const MeanShape mean   = mean_shape(candidate.points, patch.face_shape());
-      auto           &middle = candidate.middle;
-      auto           &partner = candidate.partner;
+      const MeanShape mean =
+        mean_shape(candidate.points, slave_shape, patch.face_shape());
+      auto &middle  = candidate.middle;
+      auto &partner = candidate.partner;
       for (const auto &point : candidate.points)
         candidate.area += point.weight;
       middle.x = interpolate<dim>(mean.slave, slave.positions);
@@ -266,7 +268,8 @@ namespace stickslip
             const SegmentRule<dim> &rule,
             const MasterPatch<dim> &patch)
   {
-    const FaceShape<dim> &shape = rule.face_shape();
+    const FaceShape<dim> &shape        = rule.slave_face_shape();
+    const FaceShape<dim> &master_shape = rule.master_face_shape();
     SeenFrom<dim>         seen;
     auto                 &plane     = seen.plane;
     auto                 &projected = seen.projected;
@@ -278,13 +281,13 @@ namespace stickslip
       {
         const auto &nodes = patch.configuration(m).positions;
         // most faces near are beside the slave face
-        if (!may_meet(projected, plane, nodes, shape.n_nodes()) ||
-            -(projection_plane(patch.face(m), shape, nodes).n * plane.n) <=
-              patch.tolerances.least_cosine)
+        if (!may_meet(projected, plane, nodes, master_shape.n_nodes()) ||
+            -(projection_plane(patch.face(m), master_shape, nodes).n *
+              plane.n) <= patch.tolerances.least_cosine)
           continue;
         FaceCandidate<dim> candidate;
         candidate.master    = m;
-        candidate.projected = project(shape, nodes, plane);
+        candidate.projected = project(master_shape, nodes, plane);
         rule.add_points(plane,
                         {slave.positions, projected},
                         slave.face.reference_positions,
@@ -293,7 +296,8 @@ namespace stickslip
                         candidate.points);
         if (candidate.points.empty())
           continue;
-        measure_candidate(slave, plane.n, old_n, patch, candidate);
+        measure_candidate(
+          slave, rule.slave_face_shape(), plane.n, old_n, patch, candidate);
         if (candidate.distance > patch.tolerances.search_distance ||
             !(patch.tolerances.is_own_master
                 ? can_meet(slave, candidate, patch)

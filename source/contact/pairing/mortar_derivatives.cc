@@ -51,12 +51,14 @@ namespace stickslip
     const std::vector<std::vector<unsigned int>> &rows,
     MortarDerivative<dim>                        &derivative) const
   {
-    const unsigned int       n = displacement_shape.n_nodes();
-    const unsigned int       l = around.multiplier;
-    const PartnerMotion<dim> partners(displacement_shape, slave);
+    const FaceShape<dim>    &master_shape = patch.face_shape();
+    const unsigned int       l            = around.multiplier;
+    const PartnerMotion<dim> partners(displacement_shape, master_shape, slave);
 
     const unsigned int n_multipliers = multiplier_shape.n_nodes();
-    EndSums<dim>       sums(n, n_multipliers);
+    EndSums<dim>       sums(displacement_shape.n_nodes(),
+                      master_shape.n_nodes(),
+                      n_multipliers);
 
     std::vector<double> L, N, N_master, motion;
     unsigned int        master = segments.ends.front().master;
@@ -69,7 +71,7 @@ namespace stickslip
         master = end.master;
         multiplier_shape.evaluate_values(end.xi, L);
         displacement_shape.evaluate_values(end.xi, N);
-        displacement_shape.evaluate_values(end.eta, N_master);
+        master_shape.evaluate_values(end.eta, N_master);
         // the area that the border gains
         partners.border_motion(
           end,
@@ -77,11 +79,10 @@ namespace stickslip
           motion);
         const double psi     = combination(integrals.weighting, l, L);
         double       of_area = psi;
-        for (unsigned int k = 0; k < n; ++k)
-          {
-            sums.add_to_slave(k, psi * N[k], motion);
-            sums.add_to_master(k, psi * N_master[k], motion);
-          }
+        for (unsigned int k = 0; k < N.size(); ++k)
+          sums.add_to_slave(k, psi * N[k], motion);
+        for (unsigned int k = 0; k < N_master.size(); ++k)
+          sums.add_to_master(k, psi * N_master[k], motion);
         // dual functions stay dual on the part that has a master:
         // D psi_l = sum_m y_m psi_m, y_m from the derivative of D M^-1
         if (slave.weighting_kind == WeightingFunctions::dual)
@@ -216,11 +217,11 @@ namespace stickslip
         for (unsigned int i = 0; i < D_M.size(); ++i)
           {
             const SurfaceFace<dim> &master = patch.face(of_face.masters[i]);
-            for (unsigned int k = 0; k < n; ++k)
+            for (unsigned int k = 0; k < master.n_nodes; ++k)
               rows[i].push_back(numbers.at(master.dofs[k * dim]));
             const auto  columns = around.columns(n_slave, rows[i]);
             const auto &D_M_i   = D_M[i][around.multiplier];
-            for (unsigned int l = 0; l < n; ++l)
+            for (unsigned int l = 0; l < D_M_i.m(); ++l)
               for (unsigned int k = 0; k < columns.size(); ++k)
                 derivative.D_M(rows[i][l], columns[k]) += D_M_i(l, k);
           }

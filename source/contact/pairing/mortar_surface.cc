@@ -2,10 +2,9 @@
 
 #include <stickslip/contact/pairing/corner_cone.h>
 #include <stickslip/contact/pairing/mortar_nodes.h>
+#include <stickslip/contact/pairing/symmetry_planes.h>
 
 #include <stickslip/mesh/reference_cells.h>
-
-#include <stickslip/contact/pairing/symmetry_planes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +15,7 @@ namespace stickslip
   template <int dim>
   MortarSurface<dim>::MortarSurface(
     const FaceShape<dim>                    &displacement_shape,
+    const FaceShape<dim>                    &master_shape,
     const FaceShape<dim>                    &multiplier_shape,
     const ContactPairParameters             &parameters,
     const std::vector<CollectedFace<dim>>   &slaves,
@@ -27,7 +27,10 @@ namespace stickslip
     std::vector<ContactPoint<dim>>          &points)
     : displacement_shape(displacement_shape)
     , multiplier_shape(multiplier_shape)
-    , rule(displacement_shape, parameters.quadrature_order, cross_section)
+    , rule(displacement_shape,
+           master_shape,
+           parameters.quadrature_order,
+           cross_section)
     , tool_rule(displacement_shape,
                 multiplier_shape,
                 parameters.quadrature_order,
@@ -212,8 +215,7 @@ namespace stickslip
   MortarSurface<dim>::empty_pairing() const
   {
     const auto pairing = std::make_shared<MortarPairing<dim>>();
-    pairing->segments =
-      std::make_shared<typename MortarPairing<dim>::Segments>(faces.size());
+    pairing->segments  = std::make_shared<Segments>(faces.size());
     pairing->frames.resize(nodes.size());
     return pairing;
   }
@@ -291,8 +293,7 @@ namespace stickslip
   typename MortarSurface<dim>::SegmentsPointer
   MortarSurface<dim>::find_all_segments(const MasterPatch<dim> &patch) const
   {
-    const auto segments =
-      std::make_shared<typename MortarPairing<dim>::Segments>();
+    const auto segments  = std::make_shared<Segments>();
     const auto is_master = [this](const FaceId &face) {
       return sides.side_of(face) != Side::slave;
     };

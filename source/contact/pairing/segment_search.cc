@@ -101,11 +101,11 @@ namespace stickslip
              const MasterPatch<dim>          &patch,
              FaceSegments<dim>               &segments)
     {
-      const FaceShape<dim> &shape = rule.face_shape();
+      const FaceShape<dim> &master_shape = rule.master_face_shape();
       EdgeCounts            n_cells;
       for (const auto &candidate : candidates)
-        count_edges(patch.face(candidate.master), shape, n_cells);
-      projected.moving_edges = own_edges(slave.face, shape);
+        count_edges(patch.face(candidate.master), master_shape, n_cells);
+      projected.moving_edges = own_edges(slave.face, rule.slave_face_shape());
       if (!is_curved) // a straight edge of the slave stays where it is on it
         for (auto &edges : projected.moving_edges)
           edges.assign(edges.size(), false);
@@ -113,8 +113,9 @@ namespace stickslip
         {
           const SurfaceFace<dim> &master = patch.face(candidates[i].master);
           auto                   &face   = candidates[i].projected;
-          face.moving_edges              = is_curved ? own_edges(master, shape)
-                                                     : outer_edges(master, shape, n_cells);
+          face.moving_edges              = is_curved
+                                             ? own_edges(master, master_shape)
+                                             : outer_edges(master, master_shape, n_cells);
           rule.add_ends(plane,
                         {slave.positions, projected},
                         slave.face.reference_positions,
@@ -148,7 +149,7 @@ namespace stickslip
                        candidates.end());
 
     FaceSegments<dim> segments;
-    const bool        is_curved = dim == 3 && rule.face_shape().degree() > 1;
+    const bool is_curved = dim == 3 && rule.slave_face_shape().degree() > 1;
     if (covered_area(candidates) < (1. - no_gap) * slave.area || is_curved)
       add_ends(slave,
                rule,

@@ -66,16 +66,20 @@ namespace stickslip
                                   const FullMatrix<double> &weighting,
                                   const MasterPatch<dim>   &patch) const
   {
-    const unsigned int       n      = displacement_shape.n_nodes();
-    const unsigned int       n_mult = multiplier_shape.n_nodes();
-    const PartnerMotion<dim> motion(displacement_shape, slave);
-    std::vector<OfMaster>    D_M(segments.masters.size(),
-                              OfMaster(n_mult,
-                                       FullMatrix<double>(n, 2 * n * dim)));
-    // how the shares change where the plane of projection turns: [l * n + i]
+    const FaceShape<dim>    &master_shape = patch.face_shape();
+    const unsigned int       n            = displacement_shape.n_nodes();
+    const unsigned int       n_master     = master_shape.n_nodes();
+    const unsigned int       n_mult       = multiplier_shape.n_nodes();
+    const unsigned int       n_columns    = (n + n_master) * dim;
+    const PartnerMotion<dim> motion(displacement_shape, master_shape, slave);
+    std::vector<OfMaster>    D_M(
+      segments.masters.size(),
+      OfMaster(n_mult, FullMatrix<double>(n_master, n_columns)));
+    // how the shares change where the plane of projection turns:
+    // [l * n_master + i]
     std::vector<std::vector<Tensor<1, dim>>> D_M_of_plane(
-      segments.masters.size(), std::vector<Tensor<1, dim>>(n_mult * n));
-    std::vector<double>                  L, psi(n_mult), D_N(2 * n * dim);
+      segments.masters.size(), std::vector<Tensor<1, dim>>(n_mult * n_master));
+    std::vector<double>                  L, psi(n_mult), D_N(n_columns);
     typename PartnerMotion<dim>::Partner partner;
     for (const auto &point : segments.points)
       {
@@ -86,33 +90,33 @@ namespace stickslip
           point,
           patch.configuration(segments.masters[point.master]).positions,
           partner);
-        for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int i = 0; i < n_master; ++i)
           {
             Tensor<1, dim> along; // N_i of the master per motion of the slave
             for (unsigned int d = 0; d < dim - 1; ++d)
               along += partner.master.gradient[i][d] * partner.dual[d];
             for (unsigned int k = 0; k < n; ++k)
               for (unsigned int c = 0; c < dim; ++c)
-                {
-                  D_N[k * dim + c]       = partner.N[k] * along[c];
-                  D_N[(n + k) * dim + c] = -partner.master.value[k] * along[c];
-                }
+                D_N[k * dim + c] = partner.N[k] * along[c];
+            for (unsigned int k = 0; k < n_master; ++k)
+              for (unsigned int c = 0; c < dim; ++c)
+                D_N[(n + k) * dim + c] = -partner.master.value[k] * along[c];
             for (unsigned int l = 0; l < n_mult; ++l)
               {
                 if (psi[l] == 0.)
                   continue;
                 add_scaled(psi[l], D_N, &D_M[point.master][l](i, 0));
-                D_M_of_plane[point.master][l * n + i] -=
+                D_M_of_plane[point.master][l * n_master + i] -=
                   (psi[l] * partner.distance) * along;
               }
           }
       }
     for (unsigned int m = 0; m < D_M.size(); ++m)
       for (unsigned int l = 0; l < n_mult; ++l)
-        for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int i = 0; i < n_master; ++i)
           for (unsigned int k = 0; k < n; ++k)
             {
-              const Tensor<1, dim> along = D_M_of_plane[m][l * n + i] *
+              const Tensor<1, dim> along = D_M_of_plane[m][l * n_master + i] *
                                            motion.plane_normal_derivative()[k];
               for (unsigned int c = 0; c < dim; ++c)
                 D_M[m][l](i, k * dim + c) += along[c];

@@ -48,7 +48,7 @@ namespace stickslip
                        const std::set<types::boundary_id>    &boundary,
                        const std::string                     &points_text,
                        const std::string                     &points_path,
-                       const Mapping<dim>                    &mapping,
+                       const hp::MappingCollection<dim>      &mapping,
                        const DoFHandler<dim>                 &dof_handler,
                        const MPI_Comm                        &communicator)
   {
@@ -86,7 +86,7 @@ namespace stickslip
     const std::set<types::boundary_id> &,                          \
     const std::string &,                                           \
     const std::string &,                                           \
-    const Mapping<dim> &,                                          \
+    const hp::MappingCollection<dim> &,                            \
     const DoFHandler<dim> &,                                       \
     const MPI_Comm &);
   INSTANTIATE(2)

@@ -22,12 +22,24 @@ namespace stickslip
     /// where the points are opposite, in the derivatives.
     template <int dim>
     unsigned int
-    exact_order(const FaceShape<dim> &shape, const CrossSection &cross_section)
+    exact_order(const FaceShape<dim> &slave,
+                const FaceShape<dim> &master,
+                const CrossSection   &cross_section)
     {
+      const unsigned int p = slave.degree();
       if (cross_section.is_axisymmetric)
-        return shape.degree() + 2;
-      return dim == 2 || shape.is_triangle() ? shape.degree() + 1
-                                             : 2 * shape.degree() + 1;
+        return p + 2;
+      const bool are_triangles = slave.is_triangle() && master.is_triangle();
+      return dim == 2 || are_triangles ? p + 1 : 2 * p + 1;
+    }
+
+
+
+    template <int dim>
+    bool
+    is_quadratic_triangle(const FaceShape<dim> &shape)
+    {
+      return shape.is_triangle() && shape.degree() > 1;
     }
 
 
@@ -164,24 +176,28 @@ namespace stickslip
 
 
   template <int dim>
-  SegmentRule<dim>::SegmentRule(const FaceShape<dim> &shape,
+  SegmentRule<dim>::SegmentRule(const FaceShape<dim> &slave_shape,
+                                const FaceShape<dim> &master_shape,
                                 const unsigned int    order,
                                 const CrossSection   &cross_section)
-    : shape(shape)
+    : slave_shape(slave_shape)
+    , master_shape(master_shape)
     , cross_section(cross_section)
-    , exact_rule(
-        simplex_quadrature<dim>(exact_order<dim>(shape, cross_section), order))
-    , other_rule(
-        simplex_quadrature<dim>(exact_order<dim>(shape, cross_section) + 2,
-                                order))
-    , edge_rule(QGauss<dim - 2>(2 * shape.degree() + 1))
+    , exact_rule(simplex_quadrature<dim>(
+        exact_order<dim>(slave_shape, master_shape, cross_section),
+        order))
+    , other_rule(simplex_quadrature<dim>(
+        exact_order<dim>(slave_shape, master_shape, cross_section) + 2,
+        order))
+    , edge_rule(QGauss<dim - 2>(2 * slave_shape.degree() + 1))
   {}
 
 
 
   template <int dim>
   bool
-  SegmentRule<dim>::find_above(const Point<dim - 1>              &p,
+  SegmentRule<dim>::find_above(const FaceShape<dim>              &shape,
+                               const Point<dim - 1>              &p,
                                const ProjectionPlane<dim>        &plane,
                                const std::vector<Tensor<1, dim>> &positions,
                                Point<dim - 1>                    &xi,
@@ -229,26 +245,29 @@ namespace stickslip
   {
     const std::vector<Tensor<1, dim>> undeformed(reference.begin(),
                                                  reference.begin() +
-                                                   shape.n_nodes());
+                                                   slave_shape.n_nodes());
     FaceShapeValues<dim>              values;
     double                            area_ratio;
     for (unsigned int i = 0; i < slave.projected.cells.size(); ++i)
       for (unsigned int j = 0; j < opposite.projected.cells.size(); ++j)
         {
-          const auto &cell  = slave.projected.cells[i];
-          const auto &other = opposite.projected.cells[j];
-          const auto &quadrature =
-            is_affine<dim - 1>(cell) && is_affine<dim - 1>(other) &&
-                !(shape.is_triangle() && shape.degree() > 1)
-              ? exact_rule
-              : other_rule;
-          const auto overlap =
+          const auto &cell       = slave.projected.cells[i];
+          const auto &other      = opposite.projected.cells[j];
+          const auto &quadrature = is_affine<dim - 1>(cell) &&
+                                       is_affine<dim - 1>(other) &&
+                                       !is_quadratic_triangle(slave_shape) &&
+                                       !is_quadratic_triangle(master_shape)
+                                     ? exact_rule
+                                     : other_rule;
+          const auto  overlap =
             simplices<dim - 1>(intersection<dim - 1>(cell, other));
           if (overlap.empty())
             continue;
           const double smallest = negligible_segment * measure<dim - 1>(cell);
-          const ParametricMap<dim> on_slave(shape, slave.projected, i);
-          const ParametricMap<dim> on_master(shape, opposite.projected, j);
+          const ParametricMap<dim> on_slave(slave_shape, slave.projected, i);
+          const ParametricMap<dim> on_master(master_shape,
+                                             opposite.projected,
+                                             j);
           for (const auto &simplex : overlap)
             {
               const double area = measure<dim - 1>(simplex);
@@ -265,13 +284,15 @@ namespace stickslip
                   point.master = master;
                   point.xi     = on_slave.at(p);
                   point.eta    = on_master.at(p);
-                  if (!find_above(p,
+                  if (!find_above(master_shape,
+                                  p,
                                   plane,
                                   opposite.positions,
                                   point.eta,
                                   values,
                                   area_ratio) ||
-                      !find_above(p,
+                      !find_above(slave_shape,
+                                  p,
                                   plane,
                                   slave.positions,
                                   point.xi,
@@ -300,7 +321,7 @@ namespace stickslip
   {
     const std::vector<Tensor<1, dim>> undeformed(reference.begin(),
                                                  reference.begin() +
-                                                   shape.n_nodes());
+                                                   slave_shape.n_nodes());
     FaceShapeValues<dim>              values;
     double                            area_ratio;
     for (unsigned int c = 0; c < slave.projected.cells.size(); ++c)
@@ -319,12 +340,13 @@ namespace stickslip
                       : master_edge.has_value() &&
                           opposite.projected.moving_edges[j][*master_edge]))
                 continue;
-              const auto &cell        = on_slave ? slave_cell : master_cell;
-              const auto &corners     = shape.cells()[on_slave ? c : j].corners;
+              const auto &cell    = on_slave ? slave_cell : master_cell;
+              const auto &corners = on_slave ? slave_shape.cells()[c].corners
+                                             : master_shape.cells()[j].corners;
               const unsigned int edge = on_slave ? *slave_edge : *master_edge;
               const unsigned int next = (edge + 1) % cell.size();
-              const ParametricMap<dim> eta(shape, opposite.projected, j);
-              const ParametricMap<dim> xi(shape, slave.projected, c);
+              const ParametricMap<dim> eta(master_shape, opposite.projected, j);
+              const ParametricMap<dim> xi(slave_shape, slave.projected, c);
               for (unsigned int q = 0; q < edge_rule.size(); ++q)
                 {
                   Point<dim - 1> p      = border.begin;
@@ -345,14 +367,20 @@ namespace stickslip
                     end.outward += border.outward[d] * plane.e[d];
                   end.xi  = xi.at(p);
                   end.eta = eta.at(p);
-                  if (!find_above(p,
+                  if (!find_above(master_shape,
+                                  p,
                                   plane,
                                   opposite.positions,
                                   end.eta,
                                   values,
                                   area_ratio) ||
-                      !find_above(
-                        p, plane, slave.positions, end.xi, values, area_ratio))
+                      !find_above(slave_shape,
+                                  p,
+                                  plane,
+                                  slave.positions,
+                                  end.xi,
+                                  values,
+                                  area_ratio))
                     continue;
                   end.weight =
                     edge_rule.weight(q) * length / area_ratio *

@@ -1,5 +1,6 @@
 #include <stickslip/contact/surface/surface_face.h>
 
+#include <stickslip/mesh/by_kind.h>
 #include <stickslip/mesh/reference_cells.h>
 
 #include <deal.II/fe/fe_values.h>
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <utility>
 
 namespace stickslip
@@ -124,6 +126,33 @@ namespace stickslip
         }
       return area;
     }
+
+
+
+    /// What is the same for the faces of all cells of one kind.
+    template <int dim>
+    struct FacesOfCell
+    {
+      FacesOfCell(const Mapping<dim> &mapping, const FiniteElement<dim> &fe)
+        : shape(fe.degree, faces_of<dim>(fe.reference_cell()))
+        , fe_values(mapping,
+                    fe,
+                    Quadrature<dim>(
+                      fe.base_element(0).get_unit_support_points()),
+                    update_quadrature_points)
+        , height_factor(fe.reference_cell().is_simplex() ? dim : 1.)
+      {
+        for (const unsigned int f : fe.reference_cell().face_indices())
+          orientations.push_back(
+            orientation_of_face(fe.base_element(0), f, shape));
+      }
+
+      FaceShape<dim>      shape;
+      FEValues<dim>       fe_values; ///< at the nodes
+      std::vector<double> orientations;
+      /// A simplex is higher than its volume over the area of its face.
+      double height_factor;
+    };
   } // namespace
 
 
@@ -144,25 +173,19 @@ namespace stickslip
 
   template <int dim>
   std::vector<CollectedFace<dim>>
-  collect_faces(const Mapping<dim>                 &mapping,
+  collect_faces(const hp::MappingCollection<dim>   &mapping,
                 const DoFHandler<dim>              &dof_handler,
                 const std::set<types::boundary_id> &boundary_ids,
                 const std::function<double(const types::material_id)> &modulus,
                 const bool with_ghosts)
   {
-    const auto           &fe            = dof_handler.get_fe();
-    const bool            has_simplices = fe.reference_cell().is_simplex();
-    const FaceShape<dim>  shape(fe.degree, faces_of<dim>(fe.reference_cell()));
-    const Quadrature<dim> support(fe.base_element(0).get_unit_support_points());
-    FEValues<dim> fe_values(mapping, fe, support, update_quadrature_points);
-    std::vector<types::global_dof_index> cell_dofs(fe.n_dofs_per_cell());
-    std::vector<double>                  orientations;
-    for (const unsigned int f : fe.reference_cell().face_indices())
-      orientations.push_back(orientation_of_face(fe.base_element(0), f, shape));
-
-    // A simplex is higher than its volume over the area of its face.
-    const double                    height_factor = has_simplices ? dim : 1.;
-    std::vector<CollectedFace<dim>> result;
+    const ByKind<FacesOfCell<dim>> faces_of_cells(
+      dof_handler.get_fe_collection(),
+      [&](const FiniteElement<dim> &fe, const unsigned int kind) {
+        return std::make_unique<FacesOfCell<dim>>(mapping[kind], fe);
+      });
+    std::vector<types::global_dof_index> cell_dofs;
+    std::vector<CollectedFace<dim>>      result;
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
         if (!(cell->is_locally_owned() || (with_ghosts && cell->is_ghost())))
@@ -172,8 +195,11 @@ namespace stickslip
             if (!cell->at_boundary(f) ||
                 boundary_ids.count(cell->face(f)->boundary_id()) == 0)
               continue;
-            fe_values.reinit(
+            const FiniteElement<dim> &fe = cell->get_fe();
+            FacesOfCell<dim>         &of = faces_of_cells[cell];
+            of.fe_values.reinit(
               typename Triangulation<dim>::active_cell_iterator(cell));
+            cell_dofs.resize(fe.n_dofs_per_cell());
             cell->get_dof_indices(cell_dofs);
 
             SurfaceFace<dim> face;
@@ -181,10 +207,10 @@ namespace stickslip
             face.id.face = f;
             face.owner   = cell->subdomain_id();
             for (const unsigned int i :
-                 nodes_of_face(fe.base_element(0), f, shape))
+                 nodes_of_face(fe.base_element(0), f, of.shape))
               {
                 face.reference_positions.push_back(
-                  fe_values.quadrature_point(i));
+                  of.fe_values.quadrature_point(i));
                 for (unsigned int c = 0; c < dim; ++c)
                   face.dofs.push_back(
                     cell_dofs[fe.component_to_system_index(c, i)]);
@@ -192,12 +218,12 @@ namespace stickslip
             face.n_nodes  = face.reference_positions.size();
             face.diameter = cell->face(f)->diameter();
 
-            face.orientation       = orientations[f];
+            face.orientation       = of.orientations[f];
             const double stiffness = modulus(cell->material_id());
             face.compliance        = std::isinf(stiffness)
                                        ? 0.
-                                       : height_factor * cell->measure() /
-                                    face_area(face, shape) / stiffness;
+                                       : of.height_factor * cell->measure() /
+                                    face_area(face, of.shape) / stiffness;
             result.push_back({face, cell, f});
           }
       }
@@ -321,7 +347,7 @@ namespace stickslip
                                                    const unsigned int,         \
                                                    const FaceShape<dim> &);    \
   template std::vector<CollectedFace<dim>> collect_faces(                      \
-    const Mapping<dim> &,                                                      \
+    const hp::MappingCollection<dim> &,                                        \
     const DoFHandler<dim> &,                                                   \
     const std::set<types::boundary_id> &,                                      \
     const std::function<double(const types::material_id)> &,                   \

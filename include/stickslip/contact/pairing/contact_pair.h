@@ -20,7 +20,8 @@
 
 namespace stickslip
 {
-  /// The boundary ids of the triangulation that make a pair.
+  /// The boundary ids of the triangulation that make a pair, and the cells
+  /// behind them.
   struct PairSurfaces
   {
     std::set<types::boundary_id> slave;
@@ -31,6 +32,10 @@ namespace stickslip
     /// First dofs of further nodes without contact, among the relevant ones.
     std::set<types::global_dof_index> excluded_nodes = {};
     CrossSection                      cross_section  = {};
+    /// Of which bodies these are the cells: faces have their own shape on each
+    /// side.
+    ReferenceCell slave_cells  = ReferenceCell();
+    ReferenceCell master_cells = ReferenceCell();
 
     /// True if the pair is a surface that meets itself.
     bool
@@ -78,11 +83,11 @@ namespace stickslip
      * @p modulus is the longitudinal modulus of a cell by material id
      * (infinity: rigid), @p tool the master if it is a rigid tool. Throws UserError (same on all ranks). Collective.
      */
-    ContactPair(const std::string           &name,
-                const ContactPairParameters &parameters,
-                const PairSurfaces          &surfaces,
-                const Mapping<dim>          &mapping,
-                const DoFHandler<dim>       &dof_handler,
+    ContactPair(const std::string                &name,
+                const ContactPairParameters      &parameters,
+                const PairSurfaces               &surfaces,
+                const hp::MappingCollection<dim> &mapping,
+                const DoFHandler<dim>            &dof_handler,
                 const std::function<double(const types::material_id)> &modulus,
                 const ToolMaster<dim>                                 &tool,
                 const MPI_Comm &communicator);
@@ -226,7 +231,7 @@ namespace stickslip
     const ContactPairParameters         parameters;
     const std::string                   name;
     const PairSurfaces                  surfaces;
-    const FaceShape<dim>                displacement_shape;
+    const FaceShape<dim>                displacement_shape; ///< of the slave
     const FaceShape<dim>                multiplier_shape;
     SlaveShapeTable<dim>                table;
     std::vector<SlaveFace<dim>>         slave_faces;
@@ -246,6 +251,13 @@ namespace stickslip
     }
 
   private:
+    /// Of its parameters.
+    std::string
+    path() const
+    {
+      return "Contact/" + name;
+    }
+
     Pairing<dim>
     last_pairing(const ContactPoint<dim> &point) const;
 

@@ -22,8 +22,11 @@ namespace stickslip
   class EndSums
   {
   public:
-    /// @p n_nodes of a face, @p n_multipliers on the slave.
-    EndSums(const unsigned int n_nodes, const unsigned int n_multipliers);
+    /// Nodes of a slave face and of a master face, multipliers of a slave
+    /// face.
+    EndSums(const unsigned int n_slave,
+            const unsigned int n_master,
+            const unsigned int n_multipliers);
 
     /// @p motion of the border [column] times psi N_k of slave node @p k.
     void

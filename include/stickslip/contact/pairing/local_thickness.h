@@ -22,7 +22,6 @@ namespace stickslip
   void
   measure_thickness(const DoFHandler<dim>              &dof_handler,
                     const std::set<types::boundary_id> &boundary_of_body,
-                    const FaceShape<dim>               &shape,
                     const MPI_Comm                     &communicator,
                     std::vector<CollectedFace<dim>>    &faces);
 } // namespace stickslip

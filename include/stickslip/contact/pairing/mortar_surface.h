@@ -29,9 +29,9 @@ namespace stickslip
   class MortarSurface
   {
   public:
-    using PairingPointer = std::shared_ptr<const MortarPairing<dim>>;
-    using SegmentsPointer =
-      std::shared_ptr<const typename MortarPairing<dim>::Segments>;
+    using PairingPointer  = std::shared_ptr<const MortarPairing<dim>>;
+    using Segments        = typename MortarPairing<dim>::Segments;
+    using SegmentsPointer = std::shared_ptr<const Segments>;
 
     /**
      * @p slaves are all slave faces, ghosts included; @p points the contact
@@ -41,6 +41,7 @@ namespace stickslip
      * @p meets_itself has no partners. Not collective.
      */
     MortarSurface(const FaceShape<dim>                    &displacement_shape,
+                  const FaceShape<dim>                    &master_shape,
                   const FaceShape<dim>                    &multiplier_shape,
                   const ContactPairParameters             &parameters,
                   const std::vector<CollectedFace<dim>>   &slaves,
@@ -213,7 +214,7 @@ namespace stickslip
     relocate(const MasterPatch<dim> &patch);
 
   private:
-    const FaceShape<dim>            displacement_shape;
+    const FaceShape<dim>            displacement_shape; ///< of the slave
     const FaceShape<dim>            multiplier_shape;
     const SegmentRule<dim>          rule;
     const ToolRule<dim>             tool_rule;

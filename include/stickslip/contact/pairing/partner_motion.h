@@ -18,7 +18,9 @@ namespace stickslip
   class PartnerMotion
   {
   public:
-    PartnerMotion(const FaceShape<dim> &shape, const MortarFace<dim> &slave);
+    PartnerMotion(const FaceShape<dim>  &slave_shape,
+                  const FaceShape<dim>  &master_shape,
+                  const MortarFace<dim> &slave);
 
     /**
      * The partner of a point that stays where it is on the slave face. With
@@ -63,7 +65,8 @@ namespace stickslip
                   std::vector<double>               &motion) const;
 
   private:
-    const FaceShape<dim>       &shape;
+    const FaceShape<dim>       &slave_shape;
+    const FaceShape<dim>       &master_shape;
     const MortarFace<dim>      &slave;
     Tensor<1, dim>              n_0;
     std::vector<Tensor<2, dim>> D_n_0; ///< per slave node

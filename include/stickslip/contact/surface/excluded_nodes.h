@@ -21,7 +21,7 @@ namespace stickslip
                        const std::set<types::boundary_id>    &boundary,
                        const std::string                     &points_text,
                        const std::string                     &points_path,
-                       const Mapping<dim>                    &mapping,
+                       const hp::MappingCollection<dim>      &mapping,
                        const DoFHandler<dim>                 &dof_handler,
                        const MPI_Comm                        &communicator);
 } // namespace stickslip

@@ -59,7 +59,8 @@ namespace stickslip
   {
   public:
     /// At least @p order points per direction.
-    SegmentRule(const FaceShape<dim> &shape,
+    SegmentRule(const FaceShape<dim> &slave_shape,
+                const FaceShape<dim> &master_shape,
                 const unsigned int    order,
                 const CrossSection   &cross_section = {});
 
@@ -92,13 +93,20 @@ namespace stickslip
              std::vector<SegmentEnd<dim>>  &ends) const;
 
     const FaceShape<dim> &
-    face_shape() const
+    slave_face_shape() const
     {
-      return shape;
+      return slave_shape;
+    }
+
+    const FaceShape<dim> &
+    master_face_shape() const
+    {
+      return master_shape;
     }
 
   private:
-    const FaceShape<dim> shape;
+    const FaceShape<dim> slave_shape;
+    const FaceShape<dim> master_shape;
     const CrossSection   cross_section;
     Quadrature<dim - 1>
       exact_rule; ///< for parallelograms and straight triangles
@@ -108,7 +116,8 @@ namespace stickslip
     /// Parametric coordinates of the point of a face above @p p, from a first
     /// guess; false if there is none.
     bool
-    find_above(const Point<dim - 1>              &p,
+    find_above(const FaceShape<dim>              &shape,
+               const Point<dim - 1>              &p,
                const ProjectionPlane<dim>        &plane,
                const std::vector<Tensor<1, dim>> &positions,
                Point<dim - 1>                    &xi,

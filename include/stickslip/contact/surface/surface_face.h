@@ -12,7 +12,7 @@
 
 #include <deal.II/dofs/dof_handler.h>
 
-#include <deal.II/fe/mapping.h>
+#include <deal.II/hp/mapping_collection.h>
 
 #include <array>
 #include <functional>
@@ -225,7 +225,7 @@ namespace stickslip
    */
   template <int dim>
   std::vector<CollectedFace<dim>>
-  collect_faces(const Mapping<dim>                 &mapping,
+  collect_faces(const hp::MappingCollection<dim>   &mapping,
                 const DoFHandler<dim>              &dof_handler,
                 const std::set<types::boundary_id> &boundary_ids,
                 const std::function<double(const types::material_id)> &modulus,
