@@ -174,21 +174,23 @@ def read_checkpoint(directory):
 
 
 def differences_of_checkpoints(a, b, n_nodes=4, only_nodal=False):
-    """What differs between the states at the end; a cell has N_NODES nodes. ONLY_NODAL: of displacements and forces."""
+    """What differs between the states at the end; a cell has N_NODES nodes, or N_NODES(cell) if cells are of two kinds.
+    ONLY_NODAL: of displacements and forces."""
     a, b = read_checkpoint(a), read_checkpoint(b)
     if a.keys() != b.keys() or any(len(a[cell]) != len(b[cell]) for cell in a):
         return ["the cells"]
-    scale = {}
-    for record in a.values():
-        for i, value in enumerate(record):
-            scale[len(record), i] = max(scale.get((len(record), i), 0.), abs(value))
     # Each record begins with displacement, forces, contact forces and rate of the nodes in two directions.
-    n_nodal = 4 * 2 * n_nodes
-    for kind in range(4):
-        largest = max(value for (_, i), value in scale.items() if i < n_nodal and i % 4 == kind)
-        scale.update({key: largest for key in scale if key[1] < n_nodal and key[1] % 4 == kind})
+    n_nodal = {cell: 4 * 2 * (n_nodes(cell) if callable(n_nodes) else n_nodes) for cell in a}
+
+    def key(cell, i):
+        return ("nodal", i % 4) if i < n_nodal[cell] else (len(a[cell]), i)
+
+    scale = {}
+    for cell, record in a.items():
+        for i, value in enumerate(record):
+            scale[key(cell, i)] = max(scale.get(key(cell, i), 0.), abs(value))
     return [f"number {i} of cell {cell}: {p!r}, {q!r}" for cell in a for i, (p, q) in enumerate(zip(a[cell], b[cell]))
-            if (i < n_nodal or not only_nodal) and not abs(p - q) <= TOLERANCE * scale[len(a[cell]), i]]
+            if (i < n_nodal[cell] or not only_nodal) and not abs(p - q) <= TOLERANCE * scale[key(cell, i)]]
 
 
 def compare(runs, name, reference="uninterrupted", n_nodes=4, only_nodal=False):

@@ -56,6 +56,18 @@ def test_simplices(runs):
         compare(runs, name, "simplices", n_nodes=6)
 
 
+def test_mixed_cells(runs):
+    """Quadrilaterals slide over triangles, beside triangles in plastic flow."""
+    options = ["Degree=2", *(f"Bodies/{body}/Simplices=true" for body in ("lower", "metal"))]
+    printed = runs.run("mixed-cells", 1, options=options + SHORT)
+    for n_ranks, other in [(2, 3), (3, 1)]:
+        name = f"mixed-cells-{n_ranks}-{other}"
+        runs.run(name, n_ranks, options=options + ["Load stepping/End time=2"])
+        check(runs.run(name, other, "latest", options + SHORT) == printed, f"{name} prints the same")
+        # the cells of the lower body come first, 13 * 4 * 8 triangles, then the upper one's 6 * 3 quadrilaterals
+        compare(runs, name, "mixed-cells", n_nodes=lambda cell: 9 if 0 <= cell[0] - 416 < 18 else 6)
+
+
 def test_ties(runs):
     """Partners are those of the undeformed bodies, not those of the state."""
     options = [f"Contact/interface/{name}" for name in ("Law=tied", "Friction=none", "Friction coefficient=0")]
@@ -330,7 +342,7 @@ def test_refused(runs):
 
 def main():
     runs = Runs(sys.argv[1], pathlib.Path(sys.argv[2]))
-    for test in (test_partitions, test_simplices, test_ties, test_tools, test_reference_points, test_pretension, test_axisymmetric, test_adapted, test_path_dependence, test_algorithms, test_fallback, test_cuts_and_growth,
+    for test in (test_partitions, test_simplices, test_mixed_cells, test_ties, test_tools, test_reference_points, test_pretension, test_axisymmetric, test_adapted, test_path_dependence, test_algorithms, test_fallback, test_cuts_and_growth,
                  test_failed_run, test_directory, test_refused):
         test(runs)
     print(f"{len(failures)} comparisons failed")
