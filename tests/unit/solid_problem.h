@@ -168,6 +168,7 @@ namespace solid_test
            const NamedList<BoundaryConditionParameters> &conditions,
            const bool with_mean_dilatation = false)
     {
+      use_global_ids();
       dof_handler.distribute_dofs(fe);
       owned = dof_handler.locally_owned_dofs();
       DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
@@ -335,6 +336,17 @@ namespace solid_test
       bodies.regions.push_back({static_cast<unsigned int>(bodies.bodies.size()),
                                 is_rigid ? "" : "steel"});
       bodies.bodies.push_back(body);
+    }
+
+    /// As build_mesh() does: those of the first body begin at 1.
+    void
+    use_global_ids()
+    {
+      const unsigned int first = bodies.global_boundary_id(0, 0);
+      for (const auto &cell : triangulation.cell_iterators())
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary())
+            face->set_boundary_id(face->boundary_id() + first);
     }
 
     /// The ids of the unit blocks at y = 0 and y = 2, which merging forgets.
