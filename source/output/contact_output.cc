@@ -1,5 +1,7 @@
 #include <stickslip/output/contact_output.h>
 
+#include <stickslip/base/over_ranks.h>
+
 #include <stickslip/output/contact_points_table.h>
 #include <stickslip/output/linear_simplices.h>
 
@@ -45,7 +47,9 @@ namespace stickslip
             patches.back().patch_index = patches.size() - 1;
           }
         if constexpr (dim == 3)
-          if (!faces.empty() && faces[0].degree > 1)
+          if (std::any_of(faces.begin(), faces.end(), [](const auto &face) {
+                return face.degree > 1 && face.cell == ReferenceCells::Triangle;
+              }))
             cut_into_linear_simplices(patches);
       }
 
@@ -272,6 +276,8 @@ namespace stickslip
           cell = face.cell;
       }
     degree = Utilities::MPI::max(degree, communicator);
+    const bool has_triangles =
+      any_rank(cell == ReferenceCells::Triangle, communicator);
 
     ContactPatches<dim>   patches(faces, deformed);
     DataOutBase::VtkFlags flags;
@@ -279,9 +285,8 @@ namespace stickslip
     flags.print_date_and_time = false;
     // deal.II 9.4 has no node numbering of Lagrange curves: subdivided lines.
     // Nor can it write curved quadrilaterals beside triangles.
-    flags.write_higher_order_cells = dim == 3 && higher_order_cells &&
-                                     degree > 1 &&
-                                     cell != ReferenceCells::Triangle;
+    flags.write_higher_order_cells =
+      dim == 3 && higher_order_cells && degree > 1 && !has_triangles;
     patches.set_flags(flags);
     series.write(patches, step, time, cell);
     lines.write(step, time, faces);

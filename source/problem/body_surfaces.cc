@@ -34,6 +34,19 @@ namespace stickslip
 
 
 
+    /// That of a boundary id: they are consecutive.
+    template <int dim>
+    BodySurface<dim> &
+    surface_of(std::vector<BodySurface<dim>> &surfaces,
+               const types::boundary_id       id)
+    {
+      const unsigned int i = id - surfaces.front().id;
+      AssertIndexRange(i, surfaces.size());
+      return surfaces[i];
+    }
+
+
+
     /// Of the faces of this rank.
     template <int dim>
     void
@@ -48,7 +61,8 @@ namespace stickslip
             {
               if (!face->at_boundary())
                 continue;
-              BodySurface<dim>    &surface = surfaces[face->boundary_id()];
+              BodySurface<dim> &surface =
+                surface_of(surfaces, face->boundary_id());
               const Tensor<1, dim> normal =
                 area_normal_of<dim>(face, cell->center());
               surface.n_faces += 1.;
@@ -163,9 +177,9 @@ namespace stickslip
                                                  path + "/Second boundary"));
           for (const auto id : ids)
             if (is_cut)
-              surfaces[id].is_free = false;
+              surface_of(surfaces, id).is_free = false;
             else
-              surfaces[id].is_prescribed = true;
+              surface_of(surfaces, id).is_prescribed = true;
         }
     }
   } // namespace
@@ -203,12 +217,12 @@ namespace stickslip
     for (unsigned int b = 0; b < mesh.bodies.n_bodies(); ++b)
       for (const auto id : mesh.bodies.all_boundary_ids(b))
         {
-          AssertDimension(id, surfaces.size());
           surfaces.emplace_back();
           BodySurface<dim> &surface = surfaces.back();
           surface.id                = id;
-          surface.body              = b;
-          surface.modulus           = std::numeric_limits<double>::infinity();
+          AssertDimension(id - surfaces.front().id, surfaces.size() - 1);
+          surface.body    = b;
+          surface.modulus = std::numeric_limits<double>::infinity();
           for (unsigned int c = 0; c < dim; ++c)
             {
               surface.low[c]  = std::numeric_limits<double>::max();

@@ -24,8 +24,8 @@ namespace stickslip
   PointHistory::accepted(const unsigned int cell,
                          const unsigned int point) const
   {
-    AssertIndexRange(point * n_variables[cell],
-                     first[cell + 1] - first[cell] + 1);
+    Assert((point + 1) * n_variables[cell] <= first[cell + 1] - first[cell],
+           dealii::ExcInternalError());
     return {accepted_values.data() + first[cell] + point * n_variables[cell],
             n_variables[cell]};
   }
@@ -35,8 +35,8 @@ namespace stickslip
   dealii::ArrayView<double>
   PointHistory::trial(const unsigned int cell, const unsigned int point)
   {
-    AssertIndexRange(point * n_variables[cell],
-                     first[cell + 1] - first[cell] + 1);
+    Assert((point + 1) * n_variables[cell] <= first[cell + 1] - first[cell],
+           dealii::ExcInternalError());
     return {trial_values.data() + first[cell] + point * n_variables[cell],
             n_variables[cell]};
   }

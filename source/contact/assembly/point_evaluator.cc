@@ -1,11 +1,25 @@
 #include <stickslip/contact/assembly/point_evaluator.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace stickslip
 {
   namespace
   {
+    /// Pressure up to which a point is closed; the gap behind it is roundoff,
+    /// too, however small r_n is.
+    template <int dim>
+    double
+    pressure_of_roundoff(const ContactPoint<dim> &point)
+    {
+      return point.scales.negligible_pressure *
+             std::min(1.,
+                      point.regularization.r_n_status / point.scales.stiffness);
+    }
+
+
+
     template <int dim>
     ContactStatus
     status_of(const ContactPair<dim>       &pair,
@@ -27,7 +41,7 @@ namespace stickslip
         is_live ? is_closed(state.multipliers.lambda_n,
                             state.kinematics.d_n,
                             point.regularization,
-                            point.scales.negligible_pressure)
+                            pressure_of_roundoff(point))
                 : point.frozen.closed);
       if ((result.closed || is_rounded) && has_friction)
         result.stick = point.treatment.fixed_stick.value_or(
@@ -178,7 +192,7 @@ namespace stickslip
     return point.pairing.paired && is_closed(state.multipliers.lambda_n,
                                              state.kinematics.d_n,
                                              point.regularization,
-                                             point.scales.negligible_pressure);
+                                             pressure_of_roundoff(point));
   }
 
 
@@ -217,7 +231,7 @@ namespace stickslip
     // roundoff of its gap
     if (status_rule == StatusRule::all_stick || parameters.is_bilateral())
       law.r.r_n_augmentation = law.r.r_t_augmentation = 0.;
-    law.threshold.kind       = threshold_kind(parameters, live.threshold);
+    law.threshold.kind = threshold_kind(parameters, live.threshold);
     law.threshold.negligible =
       parameters.friction_coefficient * point.scales.negligible_pressure;
     law.threshold.friction_coefficient = parameters.friction_coefficient;

@@ -189,14 +189,16 @@ namespace stickslip
 
     slave_nodes.remember();
     master_nodes.remember();
-    if (!patch->fetch(slave_nodes.boxes(), u, margin))
+    const bool changed = patch->fetch(slave_nodes.boxes(), u, margin);
+    if (!changed && !force)
       return false;
+    // after a restart the points know their faces by name only
     for (auto &point : points)
       point.hysteresis.relocate(
         [this](Pairing<dim> &pairing) { patch->relocate(pairing); });
     if (mortar)
       mortar->relocate(*patch);
-    return true;
+    return changed;
   }
 
 
