@@ -77,5 +77,4 @@ namespace stickslip
       }
     return warnings;
   }
-
 } // namespace stickslip
