@@ -1,5 +1,6 @@
 #include <stickslip/contact/assembly/contact_assembler.h>
 
+#include <stickslip/contact/assembly/tangent_adder.h>
 #include <stickslip/contact/point/tangent_stabilization.h>
 
 #include <algorithm>
@@ -341,6 +342,7 @@ namespace stickslip
   {
     Vector<double>     local;
     FullMatrix<double> local_matrix;
+    TangentAdder       adder(constraints, matrix, rhs);
     friction.reinit(numbering.locally_owned(), communicator);
     for (const auto &pair : pairs)
       {
@@ -362,8 +364,7 @@ namespace stickslip
                                    state,
                                    this->live.geometry && linearize_geometry,
                                    local_matrix);
-            constraints.distribute_local_to_global(
-              local_matrix, local, dofs, matrix, rhs);
+            adder.add(local_matrix, local, dofs);
             if (has_linearized_friction(*pair, point))
               {
                 const unsigned int i = point.geometry.quadrature_index;
