@@ -71,7 +71,7 @@ namespace stickslip
                                                       *contact_assembler,
                                                       communicator);
     system_description = std::make_unique<SystemDescription<dim>>(
-      dofs, mesh.bodies, boundary_conditions, *contact_assembler, communicator);
+      dofs, mesh.bodies, *contact_assembler, communicator);
 
     const auto configure_contact = [this](const LA::BlockVector &x,
                                           const bool             may_fetch) {

@@ -8,25 +8,19 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <vector>
-
 namespace stickslip
 {
   template <int dim>
-  SystemDescription<dim>::SystemDescription(
-    const DofLayout<dim>          &dofs,
-    const Bodies                  &bodies,
-    const BoundaryConditions<dim> &boundary_conditions,
-    ContactAssembler<dim>         &contact,
-    const MPI_Comm                &communicator)
+  SystemDescription<dim>::SystemDescription(const DofLayout<dim>  &dofs,
+                                            const Bodies          &bodies,
+                                            ContactAssembler<dim> &contact,
+                                            const MPI_Comm        &communicator)
     : dofs(dofs)
     , bodies(bodies)
     , contact(contact)
     , communicator(communicator)
   {
     description.n_components = dim;
-    for (unsigned int b = 0; b < bodies.n_bodies(); ++b)
-      driven.push_back(boundary_conditions.drives_rigid_body(b));
   }
 
 
@@ -87,8 +81,7 @@ namespace stickslip
           rigid_modes(dofs.mapping,
                       is_linear ? dofs.dof_handler : linear_space->handler(),
                       is_linear ? constraints : linear_space->constraints(),
-                      bodies,
-                      colour_bodies(bodies, contact.contact_pairs(), driven)));
+                      bodies));
       }
     update_scales(constraints);
     return description;

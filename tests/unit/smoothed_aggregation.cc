@@ -71,22 +71,17 @@ namespace
 
       description.n_components = 3;
       auto modes               = std::make_shared<NearNullSpace>();
-      modes->n_vectors         = 12;
-      modes->values.assign(12 * owned.n_elements(), 0.);
+      modes->n_vectors         = 6;
+      modes->values.assign(6 * owned.n_elements(), 0.);
       for (unsigned int i = begin; i < end; ++i)
-        if (height(i) > 0)
-          for (unsigned int c = 0; c < 3; ++c)
-            {
-              double *const value =
-                modes->values.data() + owned.index_within_set(3 * i + c);
-              for (unsigned int m = 0; m < 6; ++m)
-                {
-                  const double motion = rigid_mode<3>(m, position(i) / n)[c];
-                  value[m * owned.n_elements()] = motion;
-                  if (height(i) >= n)
-                    value[(6 + m) * owned.n_elements()] = motion;
-                }
-            }
+        for (unsigned int c = 0; c < 3; ++c)
+          {
+            modes->bodies.push_back(body(i));
+            for (unsigned int m = 0; m < 6 && height(i) > 0; ++m)
+              modes->values[m * owned.n_elements() +
+                            owned.index_within_set(3 * i + c)] =
+                rigid_mode<3>(m, position(i) / n)[c];
+          }
       description.near_null_space = modes;
     }
 
@@ -94,6 +89,12 @@ namespace
     height(const unsigned int node) const
     {
       return node / (n * n);
+    }
+
+    unsigned int
+    body(const unsigned int node) const
+    {
+      return height(node) >= n ? 1 : 0;
     }
 
     const unsigned int     n;
@@ -241,36 +242,32 @@ namespace
     for (unsigned int i = 0; i < space.n_owned_unknowns(); ++i)
       for (unsigned int m = 0; m < given.n_vectors; ++m)
         modes.values.push_back(given.values[m * space.n_owned_unknowns() + i]);
-    const auto aggregates = find_aggregates(A);
+    for (unsigned int node = 0; node < space.n_owned(); ++node)
+      modes.bodies.push_back(lattice.body(space.global(node)));
+    const auto aggregates = find_aggregates(A, modes.bodies);
     const auto tentative  = tentative_prolongation(space, aggregates, modes);
 
-    std::vector<bool> has_lower(aggregates.n), has_upper(aggregates.n);
-    bool              all_are_in = true;
+    bool all_are_in = true, is_in_one_body = true;
     for (unsigned int node = 0; node < space.n_owned(); ++node)
       {
         const unsigned int height    = lattice.height(space.global(node)),
                            aggregate = aggregates.of_node[node];
         all_are_in =
           all_are_in && (aggregate == Aggregates::none) == (height == 0);
-        if (height > 0)
-          (height >= lattice.n ? has_upper : has_lower)[aggregate] = true;
+        is_in_one_body =
+          is_in_one_body &&
+          (height == 0 || tentative.coarse_modes.bodies[aggregate] ==
+                            lattice.body(space.global(node)));
       }
-    bool         columns_are_right = true;
-    unsigned int n_crossing        = 0;
+    bool has_six_columns = true;
     for (unsigned int a = 0; a < aggregates.n; ++a)
-      {
-        const bool crosses = has_lower[a] && has_upper[a];
-        n_crossing += crosses;
-        columns_are_right =
-          columns_are_right && tentative.coarse.size(a) == (crosses ? 12 : 6);
-      }
-    n_crossing = Utilities::MPI::sum(n_crossing, MPI_COMM_WORLD);
+      has_six_columns = has_six_columns && tentative.coarse.size(a) == 6;
     print("all nodes that are free are in aggregates",
           Utilities::MPI::min(all_are_in ? 1 : 0, MPI_COMM_WORLD) == 1);
-    print("six columns inside a body, twelve across the surface",
-          Utilities::MPI::min(columns_are_right ? 1 : 0, MPI_COMM_WORLD) == 1);
-    print("aggregates cross the surface if bodies touch",
-          (n_crossing > 0) == touches);
+    print("each aggregate is in one body",
+          Utilities::MPI::min(is_in_one_body ? 1 : 0, MPI_COMM_WORLD) == 1);
+    print("aggregates have six columns",
+          Utilities::MPI::min(has_six_columns ? 1 : 0, MPI_COMM_WORLD) == 1);
 
     BlockMatrix P0(BlockRows<double>(tentative.rows), space, tentative.coarse);
     double      error = 0.;

@@ -10,11 +10,12 @@
 namespace stickslip
 {
   /// Vectors that the rows of a matrix hardly see, which the coarse levels of a
-  /// multigrid method have to represent.
+  /// multigrid method have to represent in each body by itself.
   struct NearNullSpace
   {
-    unsigned int        n_vectors = 0;
-    std::vector<double> values; ///< [vector * n owned rows + owned row]
+    unsigned int              n_vectors = 0;
+    std::vector<double>       values; ///< [vector * n owned rows + owned row]
+    std::vector<unsigned int> bodies; ///< of the owned rows
   };
 
 

@@ -10,10 +10,7 @@
 #include <stickslip/problem/dof_layout.h>
 #include <stickslip/problem/linear_space.h>
 
-#include <stickslip/solid/boundary_conditions.h>
-
 #include <memory>
-#include <vector>
 
 namespace stickslip
 {
@@ -27,11 +24,10 @@ namespace stickslip
   {
   public:
     /// All arguments must outlive this object.
-    SystemDescription(const DofLayout<dim>          &dofs,
-                      const Bodies                  &bodies,
-                      const BoundaryConditions<dim> &boundary_conditions,
-                      ContactAssembler<dim>         &contact,
-                      const MPI_Comm                &communicator);
+    SystemDescription(const DofLayout<dim>  &dofs,
+                      const Bodies          &bodies,
+                      ContactAssembler<dim> &contact,
+                      const MPI_Comm        &communicator);
 
     /// Says that the sparsity was built anew.
     void
@@ -50,7 +46,6 @@ namespace stickslip
     const Bodies                     &bodies;
     ContactAssembler<dim>            &contact;
     MPI_Comm                          communicator;
-    std::vector<bool>                 driven;       ///< rigid bodies, by body
     std::unique_ptr<LinearSpace<dim>> linear_space; ///< for degrees above 1
     IndexSet                          constrained;  ///< owned displacements
     bool                              sparsity_is_new = true;

@@ -11,10 +11,10 @@ namespace stickslip
     , matrix(matrix)
     , rhs(rhs)
     , n_displacements(matrix.block(0, 0).m())
-    , blocks{{{{LA::RowAdder(matrix.block(0, 0)),
-                LA::RowAdder(matrix.block(0, 1))}},
-              {{LA::RowAdder(matrix.block(1, 0)),
-                LA::RowAdder(matrix.block(1, 1))}}}}
+    , blocks{
+        {{{LA::RowAdder(matrix.block(0, 0)), LA::RowAdder(matrix.block(0, 1))}},
+         {{LA::RowAdder(matrix.block(1, 0)),
+           LA::RowAdder(matrix.block(1, 1))}}}}
   {}
 
 

@@ -14,52 +14,70 @@ namespace stickslip
 
 
 
-    template <typename Visitor>
-    void
-    visit_neighbours(const BlockMatrix &matrix,
-                     const unsigned int node,
-                     const Visitor     &visit)
+    /// What an aggregate may be made of: the couplings within a rank and a
+    /// body.
+    class Neighbourhoods
     {
-      for (auto k = matrix.column_begin(node);
-           k < matrix.column_begin(node + 1);
-           ++k)
-        if (matrix.column(k) != node)
-          visit(matrix.column(k));
-    }
+    public:
+      Neighbourhoods(const BlockMatrix               &matrix,
+                     const std::vector<unsigned int> &bodies)
+        : matrix(matrix)
+        , bodies(bodies)
+      {
+        AssertDimension(bodies.size(), matrix.n_rows());
+      }
 
+      template <typename Visitor>
+      void
+      visit(const unsigned int node, const Visitor &visitor) const
+      {
+        for (auto k = matrix.column_begin(node);
+             k < matrix.column_begin(node + 1);
+             ++k)
+          {
+            const unsigned int other = matrix.column(k);
+            if (other != node && other < matrix.n_rows() &&
+                bodies[other] == bodies[node])
+              visitor(other);
+          }
+      }
 
+      /// Whether a node is coupled with any other, of whatever rank and body.
+      bool
+      is_coupled(const unsigned int node) const
+      {
+        for (auto k = matrix.column_begin(node);
+             k < matrix.column_begin(node + 1);
+             ++k)
+          if (matrix.column(k) != node)
+            return true;
+        return false;
+      }
 
-    bool
-    has_neighbours(const BlockMatrix &matrix, const unsigned int node)
-    {
-      bool result = false;
-      visit_neighbours(matrix, node, [&](const unsigned int) {
-        result = true;
-      });
-      return result;
-    }
+    private:
+      const BlockMatrix               &matrix;
+      const std::vector<unsigned int> &bodies;
+    };
 
 
 
     void
-    aggregate_free_neighbourhoods(const BlockMatrix &matrix,
-                                  Aggregates        &aggregates)
+    aggregate_free_neighbourhoods(const Neighbourhoods &neighbourhoods,
+                                  Aggregates           &aggregates)
     {
       auto &of_node = aggregates.of_node;
-      for (unsigned int node = 0; node < matrix.n_rows(); ++node)
+      for (unsigned int node = 0; node < of_node.size(); ++node)
         {
-          bool is_free =
-            of_node[node] == Aggregates::none && has_neighbours(matrix, node);
-          visit_neighbours(matrix, node, [&](const unsigned int other) {
-            is_free = is_free && (other >= matrix.n_rows() ||
-                                  of_node[other] == Aggregates::none);
+          bool is_free = of_node[node] == Aggregates::none &&
+                         neighbourhoods.is_coupled(node);
+          neighbourhoods.visit(node, [&](const unsigned int other) {
+            is_free = is_free && of_node[other] == Aggregates::none;
           });
           if (!is_free)
             continue;
           of_node[node] = aggregates.n;
-          visit_neighbours(matrix, node, [&](const unsigned int other) {
-            if (other < matrix.n_rows())
-              of_node[other] = aggregates.n;
+          neighbourhoods.visit(node, [&](const unsigned int other) {
+            of_node[other] = aggregates.n;
           });
           ++aggregates.n;
         }
@@ -68,25 +86,26 @@ namespace stickslip
 
 
     void
-    join_neighbours(const BlockMatrix &matrix, Aggregates &aggregates)
+    join_neighbours(const Neighbourhoods &neighbourhoods,
+                    Aggregates           &aggregates)
     {
       const std::vector<unsigned int> first = aggregates.of_node;
       std::vector<unsigned int>       connections(aggregates.n, 0);
-      for (unsigned int node = 0; node < matrix.n_rows(); ++node)
+      for (unsigned int node = 0; node < first.size(); ++node)
         {
           if (first[node] != Aggregates::none)
             continue;
           unsigned int &best = aggregates.of_node[node];
-          visit_neighbours(matrix, node, [&](const unsigned int other) {
-            if (other < matrix.n_rows() && first[other] != Aggregates::none)
+          neighbourhoods.visit(node, [&](const unsigned int other) {
+            if (first[other] != Aggregates::none)
               {
                 const unsigned int n = ++connections[first[other]];
                 if (best == Aggregates::none || n > connections[best])
                   best = first[other];
               }
           });
-          visit_neighbours(matrix, node, [&](const unsigned int other) {
-            if (other < matrix.n_rows() && first[other] != Aggregates::none)
+          neighbourhoods.visit(node, [&](const unsigned int other) {
+            if (first[other] != Aggregates::none)
               connections[first[other]] = 0;
           });
         }
@@ -95,17 +114,17 @@ namespace stickslip
 
 
     void
-    aggregate_rest(const BlockMatrix &matrix, Aggregates &aggregates)
+    aggregate_rest(const Neighbourhoods &neighbourhoods, Aggregates &aggregates)
     {
       auto &of_node = aggregates.of_node;
-      for (unsigned int node = 0; node < matrix.n_rows(); ++node)
+      for (unsigned int node = 0; node < of_node.size(); ++node)
         {
           if (of_node[node] != Aggregates::none ||
-              !has_neighbours(matrix, node))
+              !neighbourhoods.is_coupled(node))
             continue;
           of_node[node] = aggregates.n;
-          visit_neighbours(matrix, node, [&](const unsigned int other) {
-            if (other < matrix.n_rows() && of_node[other] == Aggregates::none)
+          neighbourhoods.visit(node, [&](const unsigned int other) {
+            if (of_node[other] == Aggregates::none)
               of_node[other] = aggregates.n;
           });
           ++aggregates.n;
@@ -161,13 +180,15 @@ namespace stickslip
 
 
   Aggregates
-  find_aggregates(const BlockMatrix &matrix)
+  find_aggregates(const BlockMatrix               &matrix,
+                  const std::vector<unsigned int> &bodies)
   {
-    Aggregates aggregates;
+    const Neighbourhoods neighbourhoods(matrix, bodies);
+    Aggregates           aggregates;
     aggregates.of_node.assign(matrix.n_rows(), Aggregates::none);
-    aggregate_free_neighbourhoods(matrix, aggregates);
-    join_neighbours(matrix, aggregates);
-    aggregate_rest(matrix, aggregates);
+    aggregate_free_neighbourhoods(neighbourhoods, aggregates);
+    join_neighbours(neighbourhoods, aggregates);
+    aggregate_rest(neighbourhoods, aggregates);
     return aggregates;
   }
 
@@ -202,6 +223,7 @@ namespace stickslip
           }
         orthonormalize(columns, Q, R);
         ranks[a] = Q.size();
+        result.coarse_modes.bodies.push_back(modes.bodies[nodes[a].front()]);
         for (const auto &row : R)
           result.coarse_modes.values.insert(result.coarse_modes.values.end(),
                                             row.begin(),

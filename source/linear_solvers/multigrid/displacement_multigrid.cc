@@ -15,7 +15,9 @@ namespace stickslip
   namespace
   {
     Modes
-    modes_of(const NearNullSpace &space, const unsigned int n_unknowns)
+    modes_of(const NearNullSpace &space,
+             const unsigned int   n_unknowns,
+             const unsigned int   n_components)
     {
       Modes modes;
       modes.n_vectors = space.n_vectors;
@@ -24,6 +26,8 @@ namespace stickslip
         for (unsigned int i = 0; i < n_unknowns; ++i)
           modes.values[i * space.n_vectors + v] =
             space.values[v * n_unknowns + i];
+      for (unsigned int i = 0; i < n_unknowns; i += n_components)
+        modes.bodies.push_back(space.bodies[i]);
       return modes;
     }
   } // namespace
@@ -59,7 +63,8 @@ namespace stickslip
           linear_nodes,
           modes_of(*description.near_null_space,
                    description.prolongation ? linear_nodes.n_owned_unknowns()
-                                            : nodes.n_owned_unknowns()));
+                                            : nodes.n_owned_unknowns(),
+                   n));
       }
     catch (const std::exception &error)
       {

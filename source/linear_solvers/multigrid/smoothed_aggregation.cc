@@ -78,7 +78,9 @@ namespace stickslip
     while (levels.size() < max_levels && n_unknowns() > largest_coarsest_level)
       {
         TentativeProlongation tentative =
-          tentative_prolongation(A.column_space(), find_aggregates(A), modes);
+          tentative_prolongation(A.column_space(),
+                                 find_aggregates(A, modes.bodies),
+                                 modes);
         if (tentative.coarse.owned_unknowns().size() >
             least_coarsening * n_unknowns())
           break;

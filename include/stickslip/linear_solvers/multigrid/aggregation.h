@@ -20,13 +20,17 @@ namespace stickslip
 
 
   /**
-   * Aggregates of the nodes that @p matrix couples, within each rank: nodes
-   * whose neighbourhood is free with this neighbourhood, then the others with
-   * the neighbouring aggregate that they have most connections with (Vanek,
-   * Mandel, Brezina 1996). What is left makes aggregates of its own.
+   * Aggregates of the nodes that @p matrix couples, within each rank and each
+   * of the @p bodies (of the owned nodes): nodes whose neighbourhood is free
+   * with this neighbourhood, then the others with the neighbouring aggregate
+   * that they have most connections with (Vanek, Mandel, Brezina 1996). What is
+   * left makes aggregates of its own. (Aggregates across contact need the
+   * motions of both bodies, so that they are not smaller, and take up to a
+   * tenth more iterations.)
    */
   Aggregates
-  find_aggregates(const BlockMatrix &matrix);
+  find_aggregates(const BlockMatrix               &matrix,
+                  const std::vector<unsigned int> &bodies);
 
 
 
@@ -34,8 +38,9 @@ namespace stickslip
   /// vector] for the owned unknowns.
   struct Modes
   {
-    unsigned int        n_vectors = 0;
-    std::vector<double> values;
+    unsigned int              n_vectors = 0;
+    std::vector<double>       values;
+    std::vector<unsigned int> bodies; ///< of the owned nodes
   };
 
 
@@ -52,8 +57,8 @@ namespace stickslip
 
   /**
    * An orthonormal basis of the modes in each aggregate, with as many columns
-   * as there are independent modes: an aggregate inside a body has six in
-   * space, one across a contact surface more. Collective.
+   * as there are independent modes: six in space, less beside supports.
+   * Collective.
    */
   TentativeProlongation
   tentative_prolongation(const NodeSpace  &fine,
