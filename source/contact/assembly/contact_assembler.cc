@@ -1,6 +1,5 @@
 #include <stickslip/contact/assembly/contact_assembler.h>
 
-#include <stickslip/contact/assembly/tangent_adder.h>
 #include <stickslip/contact/point/tangent_stabilization.h>
 
 #include <algorithm>
@@ -65,6 +64,8 @@ namespace stickslip
                                     communicator);
     for (unsigned int p = 0; p < pairs.size(); ++p)
       pairs[p]->set_multiplier_dofs(numbering, p);
+    owners = {{{owned_displacements.n_elements(), communicator},
+               {numbering.locally_owned().n_elements(), communicator}}};
   }
 
 
@@ -342,7 +343,7 @@ namespace stickslip
   {
     Vector<double>     local;
     FullMatrix<double> local_matrix;
-    TangentAdder       adder(constraints, matrix, rhs);
+    TangentAdder       adder(constraints, owners, matrix, rhs);
     friction.reinit(numbering.locally_owned(), communicator);
     for (const auto &pair : pairs)
       {
@@ -379,6 +380,7 @@ namespace stickslip
         if (pair->mortar)
           pair->mortar->finish_derivatives();
       }
+    adder.finish();
     friction.compress();
   }
 

@@ -1,16 +1,24 @@
 #include <stickslip/contact/assembly/tangent_adder.h>
 
+#include <deal.II/base/mpi.h>
+
+#include <boost/serialization/vector.hpp>
+
 #include <algorithm>
+#include <utility>
 
 namespace stickslip
 {
   TangentAdder::TangentAdder(const Constraints     &constraints,
+                             const Owners          &owners,
                              LA::BlockSparseMatrix &matrix,
                              LA::BlockVector       &rhs)
     : constraints(constraints)
+    , owners(owners)
     , matrix(matrix)
     , rhs(rhs)
-    , n_displacements(matrix.block(0, 0).m())
+    , n_displacements(owners[0].n_global())
+    , my_rank(Utilities::MPI::this_mpi_process(matrix.get_mpi_communicator()))
     , blocks{
         {{{LA::RowAdder(matrix.block(0, 0)), LA::RowAdder(matrix.block(0, 1))}},
          {{LA::RowAdder(matrix.block(1, 0)),
@@ -20,7 +28,7 @@ namespace stickslip
 
 
   bool
-  TangentAdder::is_free(const std::vector<types::global_dof_index> &dofs) const
+  TangentAdder::is_free(const std::vector<Index> &dofs) const
   {
     return std::none_of(dofs.begin(), dofs.end(), [this](const auto dof) {
       return constraints.is_constrained(dof);
@@ -29,59 +37,79 @@ namespace stickslip
 
 
 
-  void
-  TangentAdder::find_columns(const FullMatrix<double> &tangent,
-                             const std::vector<types::global_dof_index> &dofs)
+  unsigned int
+  TangentAdder::owner(const Index dof) const
   {
-    for (Columns &of_block : columns)
-      {
-        of_block.in_tangent.clear();
-        of_block.in_block.clear();
-      }
-    for (unsigned int j = 0; j < dofs.size(); ++j)
-      for (unsigned int i = 0; i < dofs.size(); ++i)
+    return is_multiplier(dof) ? owners[1].rank_of(dof - n_displacements)
+                              : owners[0].rank_of(dof);
+  }
+
+
+
+  std::map<unsigned int, TangentAdder::Part>
+  TangentAdder::split(const FullMatrix<double> &tangent,
+                      const std::vector<Index> &dofs)
+  {
+    const unsigned int n = dofs.size();
+    has_row.assign(n, false);
+    has_column.assign(n, false);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
         if (tangent(i, j) != 0.)
-          {
-            const bool is_multiplier = (dofs[j] >= n_displacements);
-            columns[is_multiplier].in_tangent.push_back(j);
-            columns[is_multiplier].in_block.push_back(
-              is_multiplier ? dofs[j] - n_displacements : dofs[j]);
-            break;
-          }
-    for (auto &row_of_blocks : blocks)
-      for (unsigned int b = 0; b < 2; ++b)
-        row_of_blocks[b].set_columns(columns[b].in_block);
+          has_row[i] = has_column[j] = true;
+
+    std::map<unsigned int, Part> parts;
+    for (unsigned int i = 0; i < n; ++i)
+      if (has_row[i])
+        {
+          Part &part = parts[owner(dofs[i])];
+          part.rows.push_back(dofs[i]);
+          for (unsigned int j = 0; j < n; ++j)
+            if (has_column[j])
+              part.entries.push_back(tangent(i, j));
+        }
+    for (auto &[rank, part] : parts)
+      for (unsigned int j = 0; j < n; ++j)
+        if (has_column[j])
+          part.columns.push_back(dofs[j]);
+    return parts;
   }
 
 
 
   void
-  TangentAdder::add_row(const FullMatrix<double>     &tangent,
-                        const unsigned int            i,
-                        const types::global_dof_index dof)
+  TangentAdder::add(const Part &part)
   {
-    const bool is_multiplier = (dof >= n_displacements);
-    for (unsigned int b = 0; b < 2; ++b)
+    std::array<std::vector<Index>, 2> columns;
+    for (const Index column : part.columns)
+      if (is_multiplier(column))
+        columns[1].push_back(column - n_displacements);
+      else
+        columns[0].push_back(column);
+    for (auto &block_row : blocks)
+      for (unsigned int b = 0; b < 2; ++b)
+        block_row[b].set_columns(columns[b]);
+
+    const double *entry = part.entries.data();
+    for (const Index dof : part.rows)
       {
-        bool is_zero = true;
-        row.clear();
-        for (const unsigned int j : columns[b].in_tangent)
+        const Index row = is_multiplier(dof) ? dof - n_displacements : dof;
+        for (unsigned int b = 0; b < 2; ++b)
           {
-            row.push_back(tangent(i, j));
-            is_zero = is_zero && row.back() == 0.;
+            blocks[is_multiplier(dof)][b].add(row,
+                                              {entry, columns[b].size()},
+                                              1.);
+            entry += columns[b].size();
           }
-        if (!is_zero)
-          blocks[is_multiplier][b].add(
-            is_multiplier ? dof - n_displacements : dof, row, 1.);
       }
   }
 
 
 
   void
-  TangentAdder::add(const FullMatrix<double>                   &tangent,
-                    const Vector<double>                       &forces,
-                    const std::vector<types::global_dof_index> &dofs)
+  TangentAdder::add(const FullMatrix<double> &tangent,
+                    const Vector<double>     &forces,
+                    const std::vector<Index> &dofs)
   {
     if (!is_free(dofs))
       {
@@ -89,12 +117,26 @@ namespace stickslip
           tangent, forces, dofs, matrix, rhs);
         return;
       }
-    find_columns(tangent, dofs);
     for (unsigned int i = 0; i < dofs.size(); ++i)
-      {
-        add_row(tangent, i, dofs[i]);
-        if (forces[i] != 0.)
-          rhs(dofs[i]) += forces[i];
-      }
+      if (forces[i] != 0.)
+        rhs(dofs[i]) += forces[i];
+    auto parts = split(tangent, dofs);
+    for (auto &[rank, part] : parts)
+      if (rank == my_rank)
+        add(part);
+      else
+        messages[rank].push_back(std::move(part));
+  }
+
+
+
+  void
+  TangentAdder::finish()
+  {
+    for (const auto &[rank, parts] :
+         Utilities::MPI::some_to_some(matrix.get_mpi_communicator(), messages))
+      for (const Part &part : parts)
+        add(part);
+    messages.clear();
   }
 } // namespace stickslip

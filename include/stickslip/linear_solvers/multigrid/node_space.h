@@ -1,6 +1,8 @@
 #ifndef stickslip_linear_solvers_multigrid_node_space_h
 #define stickslip_linear_solvers_multigrid_node_space_h
 
+#include <stickslip/base/rank_ranges.h>
+
 #include <deal.II/base/partitioner.h>
 
 #include <algorithm>
@@ -51,7 +53,7 @@ namespace stickslip
     Index
     n_global() const
     {
-      return rank_begins.empty() ? 0 : rank_begins.back();
+      return ranges.n_global();
     }
 
     /// Owned nodes and ghosts.
@@ -119,7 +121,10 @@ namespace stickslip
     }
 
     unsigned int
-    rank_of(const Index node) const;
+    rank_of(const Index node) const
+    {
+      return ranges.rank_of(node);
+    }
 
     const MPI_Comm &
     communicator() const
@@ -148,7 +153,7 @@ namespace stickslip
     MPI_Comm                                           comm  = MPI_COMM_SELF;
     Index                                              first = 0;
     unsigned int                                       n_owned_nodes = 0;
-    std::vector<Index>                                 rank_begins; ///< nodes
+    RankRanges                                         ranges; ///< of nodes
     std::vector<Index>                                 ghosts;
     std::vector<unsigned int>                          begins{0};
     std::map<unsigned int, std::vector<Index>>         seen;
