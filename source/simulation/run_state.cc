@@ -35,7 +35,9 @@ namespace stickslip
     discretization = std::make_unique<Discretization<dim>>(
       parameters, amplitudes, mesh, log, stop_requests);
     accepted = AcceptedState::zero(problem());
-    x        = accepted.x;
+    // moved: a copy would keep the earlier distribution over the ranks where
+    // the number of unknowns happens to be the same
+    x = LA::BlockVector(accepted.x);
   }
 
 
