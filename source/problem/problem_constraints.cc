@@ -355,6 +355,12 @@ namespace stickslip
                                   dofs.owned.size());
     increment_lines.close();
 
+    // the rows of hanging and periodic multipliers are a part of others, too
+    Constraints multiplier_lines(local);
+    multiplier_constraints.add_to(multiplier_lines,
+                                  geometric_lines,
+                                  dofs.owned.size());
+    copy_lines(multiplier_lines, geometric_lines);
     geometric_lines.close();
 
     unapplied = largest_inhomogeneity(increment_lines, displacement);
