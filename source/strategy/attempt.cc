@@ -18,11 +18,11 @@ namespace stickslip
           case FailureCause::loop_cycle:
           case FailureCause::budget:
           case FailureCause::rejected:
+          case FailureCause::singular: // a body that an iterate lets go
             return true;
           case FailureCause::divergence:
           case FailureCause::inadmissible:
             return !step_can_be_cut;
-          case FailureCause::singular:
           case FailureCause::linear_solver:
             return false;
         }
