@@ -237,6 +237,8 @@ CASES = {
         "plate_3d.prm", body("plate", "Rotation axis = 0, 0, 0", "Rotation angle = 30"), WRONG_INPUT, ["Bodies/plate/Rotation axis", "zero"]),
     "an infinite translation": ("plate.prm", body("plate", "Translation = inf, 0"), WRONG_INPUT, ["Bodies/plate/Translation", "inf, 0"]),
     "a translation beyond all digits": ("plate.prm", body("plate", "Translation = 1e300, 0"), WRONG_INPUT, ["Bodies/plate", "degenerate"]),
+    "cells in a third direction": (
+        "unheld_block.prm", body("block", "Arguments = 3, 2, 2 : 0, 0 : 1, 1"), WRONG_INPUT, ["Bodies/block/Arguments", "cells per direction", "'3, 2, 2'", "2 numbers"]),
     "no cells": ("unheld_block.prm", body("block", "Arguments = 0, 2 : 0, 0 : 1, 1"), WRONG_INPUT, ["Bodies/block/Arguments", "cells per direction", "at least 1"]),
     "a negative number of cells": (
         "unheld_block.prm", body("block", "Arguments = -1, 2 : 0, 0 : 1, 1"), WRONG_INPUT, ["Bodies/block/Arguments", "cells per direction", "'-1'", "at least 1"]),

@@ -117,6 +117,27 @@ namespace stickslip
       if (counts_cells(argument) && !(*value >= least))
         complain("at least " + std::string(least == 0. ? "0" : "1"));
     }
+
+
+
+    /// One number for all directions or one for each, as the generator has it.
+    void
+    check_directions(const GeneratorDescription &generator,
+                     const GeneratorArgument    &argument,
+                     const std::string          &text,
+                     const unsigned int          dim,
+                     const std::string          &path)
+    {
+      if (argument.name.find("per direction") == std::string::npos)
+        return;
+      const unsigned int expected =
+        generator.name == "subdivided_hyper_cube" ? 1 : dim;
+      const unsigned int n = Utilities::split_string_list(text, ',').size();
+      if (n != expected)
+        throw UserError(path + ": '" + argument.name + "' is '" + text +
+                        "', but has to be " + std::to_string(expected) +
+                        " number" + (expected == 1 ? "" : "s") + ".");
+    }
   } // namespace
 
 
@@ -124,12 +145,14 @@ namespace stickslip
   void
   check_generator_arguments(const GeneratorDescription     &generator,
                             const std::vector<std::string> &values,
+                            const unsigned int              dim,
                             const std::string              &path)
   {
     std::optional<double> inner, outer;
     for (unsigned int i = 0; i < values.size(); ++i)
       {
         const GeneratorArgument &argument = generator.arguments[i];
+        check_directions(generator, argument, values[i], dim, path);
         if (argument.name.find("positions") == std::string::npos)
           for (const auto &number :
                Utilities::split_string_list(values[i], ','))

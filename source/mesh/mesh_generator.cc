@@ -318,7 +318,7 @@ namespace stickslip
     const std::string              where     = path + "/Arguments";
     const std::vector<std::string> values =
       complete_arguments(generator, arguments, dim, where);
-    check_generator_arguments(generator, values, where);
+    check_generator_arguments(generator, values, dim, where);
 
     try
       {

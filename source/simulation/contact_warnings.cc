@@ -42,6 +42,9 @@ namespace stickslip
         names.push_back(name);
         may_be_far.push_back(pair.is_automatic ||
                              pair.slave_body == pair.master_body);
+        may_stay_far.push_back(
+          pair.is_automatic ||
+          (may_be_far.back() && pair.slave_boundary == pair.master_boundary));
         const std::string path = "'Contact/" + name;
         const auto        master =
           std::find_if(bodies.begin(),
@@ -106,7 +109,7 @@ namespace stickslip
   {
     std::vector<std::string> texts;
     for (unsigned int p = 0; n_steps > 0 && p < names.size(); ++p)
-      if (may_be_far[p])
+      if (may_stay_far[p])
         continue; // most of these are there in case that bodies come near
       else if (!was_paired[p])
         texts.push_back("contact pair '" + names[p] +

@@ -305,8 +305,13 @@ namespace stickslip
     Utilities::MPI::sum(n_local_nodes, communicator, n_nodes);
     for (unsigned int c = 0; c < displacements.size(); ++c)
       if (n_nodes[c] == 0 && displacements[c].active.contains(time))
-        throw UserError(boundary_condition_path(displacements[c].name) +
-                        " holds no component of any node.");
+        throw UserError(
+          boundary_condition_path(displacements[c].name) +
+          " holds no component of any node" +
+          (displacements[c].where != nullptr
+             ? ": 'Where' is zero at all nodes of its boundary, or "
+               "others hold them already."
+             : ": other conditions hold its nodes already."));
 
     add_lines_on_all_ranks(lines,
                            dof_handler.locally_owned_dofs(),

@@ -196,6 +196,20 @@ namespace stickslip
 
 
 
+  std::vector<std::string>
+  describe(const std::vector<FreeMotion> &motions)
+  {
+    std::vector<std::string> lines;
+    for (unsigned int m = 0; m < motions.size(); ++m)
+      if (m > 0 && motions[m].bodies == motions[m - 1].bodies)
+        lines.back() += ", " + motions[m].motion;
+      else
+        lines.push_back("held by contact alone: " + motions[m].text());
+    return lines;
+  }
+
+
+
   void
   join_groups(const std::set<unsigned int> &joined,
               std::vector<unsigned int>    &group_of_body)

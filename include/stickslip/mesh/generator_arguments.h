@@ -19,13 +19,15 @@ namespace stickslip
   /**
    * Numbers of cells have to be positive (0 where that is the default and means
    * a choice of the generator's own), radii, lengths and thicknesses greater
-   * than 0, an outer radius greater than the inner one. @p values are complete;
+   * than 0, an outer radius greater than the inner one, and numbers of cells
+   * per direction as many as there are directions. @p values are complete;
    * what is no number is left to the generator. Throws UserError that blames
    * @p path.
    */
   void
   check_generator_arguments(const GeneratorDescription     &generator,
                             const std::vector<std::string> &values,
+                            const unsigned int              dim,
                             const std::string              &path);
 } // namespace stickslip
 

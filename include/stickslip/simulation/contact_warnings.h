@@ -41,7 +41,8 @@ namespace stickslip
 
   private:
     std::vector<std::string> names;
-    std::vector<bool>        may_be_far; ///< without that being a mistake
+    std::vector<bool>        may_be_far;   ///< without that being a mistake
+    std::vector<bool>        may_stay_far; ///< in all steps
     std::vector<std::string> about_parameters;
     std::vector<bool>        is_paired;  ///< any point, at the last step
     std::vector<bool>        was_paired; ///< any point, at any step

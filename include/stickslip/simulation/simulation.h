@@ -55,7 +55,8 @@ namespace stickslip
     run(const std::string &restart_from);
 
     /// The cells by level where they differ; what is there between the contact
-    /// surfaces where nothing is deformed, and what looks wrong about it.
+    /// surfaces where nothing is deformed, and what looks wrong about it; what
+    /// only contact holds. Collective.
     std::vector<std::string>
     description_of_start()
     {
@@ -66,6 +67,8 @@ namespace stickslip
       lines.insert(lines.end(), reasons.begin(), reasons.end());
       lines.insert(lines.end(), levels.begin(), levels.end());
       lines.insert(lines.end(), contact.begin(), contact.end());
+      const auto free = describe(problem().free_motions());
+      lines.insert(lines.end(), free.begin(), free.end());
       return lines;
     }
 

@@ -34,6 +34,11 @@ namespace stickslip
     }
   };
 
+  /// A line for each group of bodies that @p motions, which contact alone can
+  /// prevent, are of.
+  std::vector<std::string>
+  describe(const std::vector<FreeMotion> &motions);
+
   /**
    * The rigid motions of the bodies, rigid ones only if their motion has free
    * components, that no prescribed displacement, spring or periodicity
