@@ -8,6 +8,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <vector>
+
 namespace stickslip
 {
   template <int dim>

@@ -156,7 +156,8 @@ namespace stickslip
     if (pair.mortar)
       {
         evaluate_mortar_kinematics(mortar_element_of(pair, point),
-                                   pair.slave_position(point).direction,
+                                   pair.mortar->direction(
+                                     point.geometry.mortar_node),
                                    live.geometry && linearize_geometry,
                                    with_derivatives,
                                    state.kinematics);

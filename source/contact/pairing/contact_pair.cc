@@ -386,8 +386,6 @@ namespace stickslip
              : point.geometry.weight;
   }
 
-
-
   template class ContactPair<2>;
   template class ContactPair<3>;
 } // namespace stickslip

@@ -29,6 +29,43 @@ namespace stickslip
 
 
 
+    /// A border whose direction out has less than this along the symmetry
+    /// planes is in them.
+    constexpr double least_part_in_plane = 0.5;
+
+
+
+    template <int dim>
+    std::vector<Tensor<1, dim>>
+    undeformed_normals(const FaceShape<dim>               &shape,
+                       const std::vector<MortarFace<dim>> &faces,
+                       const MortarNode<dim>              &node)
+    {
+      std::vector<Tensor<1, dim>> normals;
+      for (const auto &around : node.faces)
+        {
+          const SurfaceFace<dim> &face = faces[around.face].face;
+          normals.push_back(unit_normal_at(
+            shape, face, around.displacement, face.undeformed_nodes()));
+        }
+      return normals;
+    }
+
+
+
+    template <int dim>
+    bool
+    have_kink(const std::vector<Tensor<1, dim>> &normals)
+    {
+      for (const auto &a : normals)
+        for (const auto &b : normals)
+          if (a * b < sharpest_smooth_kink * a.norm() * b.norm())
+            return true;
+      return false;
+    }
+
+
+
     /// Directions that lie closer together than this span nothing.
     constexpr double same_direction = 1e-12;
 
@@ -71,6 +108,29 @@ namespace stickslip
 
 
 
+    /// A generator as the half that is there has it.
+    template <int dim>
+    Tensor<1, dim>
+    direction_of(const FaceShape<dim>               &shape,
+                 const MortarNode<dim>              &node,
+                 const std::vector<MortarFace<dim>> &faces,
+                 const ConeGenerator<dim>           &generator)
+    {
+      const auto            &around = node.faces[generator.around];
+      const MortarFace<dim> &slave  = faces[around.face];
+      return generator.neighbour ? direction_out(shape,
+                                                 slave.face,
+                                                 around.displacement,
+                                                 *generator.neighbour,
+                                                 slave.positions)
+                                 : unit_normal_at(shape,
+                                                  slave.face,
+                                                  around.displacement,
+                                                  slave.positions);
+    }
+
+
+
     /// All choices of 1 to dim of @p n things.
     template <int dim>
     std::vector<std::vector<unsigned int>>
@@ -101,20 +161,42 @@ namespace stickslip
   {
     for (MortarNode<dim> &node : nodes)
       {
-        std::vector<Tensor<1, dim>> normals;
-        for (const auto &around : node.faces)
-          {
-            const SurfaceFace<dim> &face = faces[around.face].face;
-            normals.push_back(unit_normal_at(
-              shape, face, around.displacement, face.undeformed_nodes()));
-            for (const Tensor<1, dim> &other : normals)
-              if (normals.back() * other < sharpest_smooth_kink)
-                node.is_corner = true;
-          }
-        node.borders = find_borders(shape, node, faces);
-        if (!node.borders.empty())
-          node.is_corner = true;
+        node.borders   = find_borders(shape, node, faces);
+        node.is_corner = !node.borders.empty() ||
+                         have_kink(undeformed_normals(shape, faces, node));
       }
+  }
+
+
+
+  template <int dim>
+  void
+  restrict_to_symmetry_planes(const FaceShape<dim>               &shape,
+                              const std::vector<MortarFace<dim>> &faces,
+                              MortarNode<dim>                    &node)
+  {
+    if (!node.is_corner || n_symmetry_planes(node) == 0)
+      return;
+    const auto is_in_plane =
+      [&](const typename MortarNode<dim>::Border &border) {
+        const auto             &around = node.faces[border.around];
+        const SurfaceFace<dim> &face   = faces[around.face].face;
+        const Tensor<1, dim>    out    = direction_out(shape,
+                                                 face,
+                                                 around.displacement,
+                                                 border.neighbour,
+                                                 face.undeformed_nodes());
+        return (node.projection * out).norm() < least_part_in_plane;
+      };
+    node.borders.erase(std::remove_if(node.borders.begin(),
+                                      node.borders.end(),
+                                      is_in_plane),
+                       node.borders.end());
+    auto normals = undeformed_normals(shape, faces, node);
+    for (auto &n : normals)
+      n = node.projection * n;
+    node.is_corner = n_symmetry_planes(node) < dim - 1 &&
+                     (!node.borders.empty() || have_kink(normals));
   }
 
 
@@ -126,29 +208,19 @@ namespace stickslip
           const std::vector<MortarFace<dim>> &faces)
   {
     std::vector<ConeGenerator<dim>> cone;
+    const auto add = [&](const ConeGenerator<dim> &generator) {
+      const Tensor<1, dim> direction =
+        node.projection * direction_of(shape, node, faces, generator);
+      if (direction.norm() > same_direction) // else across the planes
+        {
+          cone.push_back(generator);
+          cone.back().direction = direction / direction.norm();
+        }
+    };
     for (unsigned int a = 0; a < node.faces.size(); ++a)
-      {
-        const auto            &around = node.faces[a];
-        const MortarFace<dim> &slave  = faces[around.face];
-        cone.push_back({unit_normal_at(shape,
-                                       slave.face,
-                                       around.displacement,
-                                       slave.positions),
-                        a,
-                        {}});
-      }
+      add({{}, a, {}});
     for (const auto &border : node.borders)
-      {
-        const auto            &around = node.faces[border.around];
-        const MortarFace<dim> &slave  = faces[around.face];
-        cone.push_back({direction_out(shape,
-                                      slave.face,
-                                      around.displacement,
-                                      border.neighbour,
-                                      slave.positions),
-                        border.around,
-                        border.neighbour});
-      }
+      add({{}, border.around, border.neighbour});
     return cone;
   }
 
@@ -163,15 +235,23 @@ namespace stickslip
   {
     const auto            &around = node.faces[generator.around];
     const MortarFace<dim> &slave  = faces[around.face];
-    return generator.neighbour
-             ? direction_out_derivative(shape,
-                                        slave.face,
-                                        around.displacement,
-                                        *generator.neighbour,
-                                        slave.positions)
-             : outward_normal_derivative(slave.face,
-                                         slave.positions,
-                                         shape.at_node(around.displacement));
+    auto                   derivative =
+      generator.neighbour
+                          ? direction_out_derivative(shape,
+                                   slave.face,
+                                   around.displacement,
+                                   *generator.neighbour,
+                                   slave.positions)
+                          : outward_normal_derivative(slave.face,
+                                    slave.positions,
+                                    shape.at_node(around.displacement));
+    const Tensor<2, dim> in_planes =
+      unit_vector_derivative(node.projection *
+                             direction_of(shape, node, faces, generator)) *
+      node.projection;
+    for (auto &of_node : derivative)
+      of_node = in_planes * of_node; // of unit vectors, without planes the same
+    return derivative;
   }
 
 

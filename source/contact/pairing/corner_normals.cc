@@ -248,8 +248,9 @@ namespace stickslip
     struct CornerNormal
     {
       std::vector<Opposite<dim>> opposites; ///< per face around the node
-      Tensor<1, dim>             v; ///< sum of the normals of what is opposite
-      NearestInCone<dim>         nearest; ///< to v / |v|
+      Tensor<1, dim>             v; ///< sum of the normals of what is opposite,
+                                    ///< in the symmetry planes
+      NearestInCone<dim> nearest;   ///< to v / |v|
     };
 
 
@@ -270,6 +271,7 @@ namespace stickslip
           corner.v +=
             outward_normal(faces[around.face].face, corner.opposites.back().S);
         }
+      corner.v = node.projection * corner.v;
       if (corner.v.norm() > 0.)
         corner.nearest = nearest_in_cone(cone_of(shape, node, faces),
                                          corner.v / corner.v.norm());
@@ -325,7 +327,8 @@ namespace stickslip
     if (side.empty())
       P = identity;
 
-    const Tensor<2, dim>          D_t = P * unit_vector_derivative(corner.v);
+    const Tensor<2, dim> D_t =
+      P * unit_vector_derivative(corner.v) * node.projection;
     const OppositeDerivative<dim> derivative(
       shape, node, average, patch, partners_move);
     for (unsigned int f = 0; f < node.faces.size(); ++f)

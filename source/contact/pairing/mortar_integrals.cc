@@ -1,6 +1,7 @@
 #include <stickslip/contact/pairing/mortar_integrals.h>
 
 #include <stickslip/contact/pairing/corner_normals.h>
+#include <stickslip/contact/pairing/corner_tangents.h>
 
 #include <algorithm>
 #include <cmath>
@@ -108,11 +109,7 @@ namespace stickslip
     };
     if (!node.is_corner || !find_normal_of_corner())
       average_normals(node, faces, frame);
-    Tensor<1, dim> direction;
-    for (unsigned int k = 0; k < node.faces.front().stencil.size(); ++k)
-      direction += node.direction[node.faces.front().stencil[k]] *
-                   faces[node.faces.front().face].positions[k];
-    frame.tau = tangent_basis<dim>(frame.n, direction);
+    frame.tau = tangent_basis<dim>(frame.n, tangent_direction(node, faces));
     return frame;
   }
 

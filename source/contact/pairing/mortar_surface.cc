@@ -2,12 +2,12 @@
 
 #include <stickslip/contact/pairing/corner_cone.h>
 #include <stickslip/contact/pairing/mortar_nodes.h>
+#include <stickslip/contact/pairing/slave_configuration.h>
 #include <stickslip/contact/pairing/symmetry_planes.h>
 
 #include <stickslip/mesh/reference_cells.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 namespace stickslip
@@ -55,6 +55,7 @@ namespace stickslip
         slave.weighting_kind = parameters.weighting;
         slave.always_missing = slave.missing;
         slave.side           = meets_itself ? Side::neither : Side::slave;
+        slave.positions      = slave.face.undeformed_nodes();
       }
     const auto weights = set_weightings();
     for (auto &node : nodes)
@@ -62,7 +63,10 @@ namespace stickslip
         node.area += weights[around.face][around.multiplier];
     // what is bonded is not pressed against anything
     if (!parameters.is_bilateral())
-      find_corners(displacement_shape, faces, nodes);
+      {
+        find_corners(displacement_shape, faces, nodes);
+        choose_tangent_directions(displacement_shape, faces, nodes);
+      }
     for (auto &point : points)
       point.geometry.weight = nodes[point.geometry.mortar_node].area;
     averages.resize(nodes.size());
@@ -82,46 +86,11 @@ namespace stickslip
                                   displacement_shape.degree() + 1);
     std::vector<std::vector<double>> weights; // [face][l]
     for (MortarFace<dim> &slave : faces)
-      weights.push_back(set_weightings(quadrature, slave));
-    return weights;
-  }
-
-
-
-  template <int dim>
-  std::vector<double>
-  MortarSurface<dim>::set_weightings(const Quadrature<dim - 1> &quadrature,
-                                     MortarFace<dim>           &slave) const
-  {
-    const auto           undeformed = slave.face.undeformed_nodes();
-    std::vector<double>  areas;
-    FaceShapeValues<dim> values;
-    slave.area = 0.;
-    for (unsigned int q = 0; q < quadrature.size(); ++q)
-      {
-        displacement_shape.evaluate(quadrature.point(q), values);
-        areas.push_back(quadrature.weight(q) *
-                        surface_normal<dim>(
-                          surface_tangents<dim>(values.gradient, undeformed))
-                          .norm() *
-                        cross_section.circumference(
-                          interpolate<dim>(values.value, undeformed)));
-        slave.area += areas.back();
-      }
-    const auto functions = [&](const WeightingFunctions which) {
-      return weighting_functions<dim>(
-        which, multiplier_shape, slave.missing, quadrature, areas);
-    };
-    slave.extended  = functions(WeightingFunctions::standard);
-    slave.weighting = functions(slave.weighting_kind);
-    std::vector<double> weights(multiplier_shape.n_nodes(), 0.), L;
-    for (unsigned int q = 0; q < quadrature.size(); ++q)
-      {
-        multiplier_shape.evaluate_values(quadrature.point(q), L);
-        for (unsigned int l = 0; l < L.size(); ++l)
-          for (unsigned int m = 0; m < L.size(); ++m)
-            weights[l] += areas[q] * slave.weighting(l, m) * L[m];
-      }
+      weights.push_back(stickslip::set_weightings(displacement_shape,
+                                                  multiplier_shape,
+                                                  quadrature,
+                                                  cross_section,
+                                                  slave));
     return weights;
   }
 
@@ -202,9 +171,8 @@ namespace stickslip
                                               node.dofs,
                                               own.stencil[own.displacement],
                                               supports);
-        // the surface goes on behind the plane
-        if (node.projection.norm() < std::sqrt(dim - 0.5))
-          node.is_corner = false;
+        restrict_to_symmetry_planes(displacement_shape, faces, node);
+        align_with_symmetry_plane(node);
       }
   }
 
@@ -345,6 +313,30 @@ namespace stickslip
     for (unsigned int i = 0; i < nodes.size(); ++i)
       averages[i] =
         integrals.average(nodes[i], faces, segments, over_faces, patch);
+  }
+
+
+
+  template <int dim>
+  double
+  MortarSurface<dim>::area_ratio(const unsigned int i) const
+  {
+    const bool paired = averages[i].paired;
+    double     now = 0., undeformed = 0.;
+    for (const auto &around : nodes[i].faces)
+      {
+        const MortarFace<dim> &slave = faces[around.face];
+        const double           area =
+          paired ? over_faces[around.face].area[around.multiplier] : slave.area;
+        undeformed += area;
+        now +=
+          area *
+          stickslip::area_ratio(displacement_shape.at_node(around.displacement),
+                                slave.face,
+                                slave.positions,
+                                cross_section);
+      }
+    return now / undeformed;
   }
 
 

@@ -61,30 +61,35 @@ namespace stickslip
 
   template <int dim>
   double
-  SlaveConfiguration<dim>::area_ratio(const std::vector<SlaveFace<dim>> &faces,
-                                      const SlaveShapeTable<dim>        &table,
-                                      const ContactPoint<dim>           &point,
-                                      const CrossSection &section) const
+  area_ratio(const FaceShapeValues<dim>        &values,
+             const SurfaceFace<dim>            &face,
+             const std::vector<Tensor<1, dim>> &now,
+             const CrossSection                &section)
   {
-    const unsigned int f         = point.geometry.slave_face;
-    const auto        &reference = faces[f].face.reference_positions;
-    const std::vector<Tensor<1, dim>> undeformed(reference.begin(),
-                                                 reference.end());
-    const auto                       &gradient =
-      table.displacement[point.geometry.quadrature_index].gradient;
-    const auto   a = surface_tangents<dim>(gradient, now[f]);
-    const auto   A = surface_tangents<dim>(gradient, undeformed);
+    const auto   undeformed = face.undeformed_nodes();
+    const auto   a          = surface_tangents<dim>(values.gradient, now);
+    const auto   A = surface_tangents<dim>(values.gradient, undeformed);
     const double in_section =
       surface_normal<dim>(a).norm() / surface_normal<dim>(A).norm();
     if (!section.is_axisymmetric)
       return in_section;
     // on the axis the ratio of the radii is that of what they grow by
-    const double radius = point.geometry.reference_position[0];
+    const double radius = interpolate<dim>(values.value, undeformed)[0];
     if (radius > section.radius_of_axis)
-      return in_section * position(table, point).x[0] / radius;
+      return in_section * interpolate<dim>(values.value, now)[0] / radius;
     return A[0][0] != 0. ? in_section * a[0][0] / A[0][0] : in_section;
   }
 
+  template double
+  area_ratio(const FaceShapeValues<2> &,
+             const SurfaceFace<2> &,
+             const std::vector<Tensor<1, 2>> &,
+             const CrossSection &);
+  template double
+  area_ratio(const FaceShapeValues<3> &,
+             const SurfaceFace<3> &,
+             const std::vector<Tensor<1, 3>> &,
+             const CrossSection &);
   template class SlaveConfiguration<2>;
   template class SlaveConfiguration<3>;
 } // namespace stickslip

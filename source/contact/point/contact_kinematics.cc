@@ -1,5 +1,7 @@
 #include <stickslip/contact/point/contact_kinematics.h>
 
+#include <cmath>
+
 namespace stickslip
 {
   namespace
@@ -147,12 +149,42 @@ namespace stickslip
 
 
 
+    /// Sine of the angle between a normal and a direction that carries no
+    /// tangent basis.
+    constexpr double parallel = 1e-8;
+
+
+
+    /// Whether a direction carries tangents: it is not along the normal.
+    bool
+    carries_tangents(const Tensor<1, 3> &n, const Tensor<1, 3> &e)
+    {
+      return (e - (e * n) * n).norm() > parallel * e.norm();
+    }
+
+
+
+    /// A direction that does, and does not move.
+    Tensor<1, 3>
+    fixed_direction(const Tensor<1, 3> &n)
+    {
+      unsigned int c = 0;
+      for (unsigned int d = 1; d < 3; ++d)
+        if (std::abs(n[d]) < std::abs(n[c]))
+          c = d;
+      Tensor<1, 3> axis;
+      axis[c] = 1.;
+      return axis;
+    }
+
+
+
     /// Derivative of the tangent basis, given that of the normal.
     template <int dim>
     void
     basis_derivative(const Tensor<1, dim>                      &n,
                      const std::array<Tensor<1, dim>, dim - 1> &tau,
-                     const Tensor<1, dim>                      &e,
+                     const Tensor<1, dim>                      &direction,
                      const VectorRows<dim>                     &D_n,
                      std::array<VectorRows<dim>, dim - 1>      &D_tau)
     {
@@ -160,7 +192,7 @@ namespace stickslip
         {
           (void)n;
           (void)tau;
-          (void)e;
+          (void)direction;
           D_tau[0][1] = D_n[0];
           for (unsigned int c = 0; c < D_n[1].size(); ++c)
             D_tau[0][0][c] = -D_n[1][c];
@@ -169,10 +201,12 @@ namespace stickslip
         {
           using G = GeneralizedCoordinates<dim>;
           // q = P e,  D q = P De - n (Dn.e) - Dn (n.e),  tau_1 = q/|q|
-          const double    q_length = (e - (e * n) * n).norm();
-          VectorRows<dim> D_q;
+          const bool           moves = carries_tangents(n, direction);
+          const Tensor<1, dim> e     = moves ? direction : fixed_direction(n);
+          const double         q_length = (e - (e * n) * n).norm();
+          VectorRows<dim>      D_q;
           clear<dim>(D_q);
-          for (unsigned int i = 0; i < dim; ++i)
+          for (unsigned int i = 0; i < dim && moves; ++i)
             for (unsigned int k = 0; k < dim; ++k)
               D_q[i][G::E + k] = (i == k) - n[i] * n[k];
           add_outer<dim>(D_q, -1. * n, contract<dim>(e, D_n));
@@ -207,16 +241,18 @@ namespace stickslip
 
   template <int dim>
   std::array<Tensor<1, dim>, dim - 1>
-  tangent_basis(const Tensor<1, dim> &n, const Tensor<1, dim> &e)
+  tangent_basis(const Tensor<1, dim> &n, const Tensor<1, dim> &direction)
   {
     std::array<Tensor<1, dim>, dim - 1> tau;
     if constexpr (dim == 2)
       {
-        (void)e;
+        (void)direction;
         tau[0] = Tensor<1, dim>({-n[1], n[0]});
       }
     else
       {
+        const Tensor<1, dim> e =
+          carries_tangents(n, direction) ? direction : fixed_direction(n);
         const Tensor<1, dim> q = e - (e * n) * n;
         tau[0]                 = q / q.norm();
         tau[1]                 = cross_product_3d(n, tau[0]);

@@ -222,10 +222,11 @@ namespace stickslip
     double
     area_ratio(const ContactPoint<dim> &point) const
     {
-      return slave_configuration.area_ratio(slave_faces,
-                                            table,
-                                            point,
-                                            surfaces.cross_section);
+      return mortar ? mortar->area_ratio(point.geometry.mortar_node)
+                    : slave_configuration.area_ratio(slave_faces,
+                                                     table,
+                                                     point,
+                                                     surfaces.cross_section);
     }
 
     const ContactPairParameters         parameters;

@@ -20,8 +20,22 @@ namespace stickslip
                const std::vector<MortarFace<dim>> &faces,
                std::vector<MortarNode<dim>>       &nodes);
 
+  /**
+   * Decides anew about a corner that is on symmetry planes (its projection).
+   * The surface goes on behind them: it does not end there, and its cone of
+   * normals, of which the other half is the mirror image, has in a plane what
+   * its generators have there. In the line of two planes there is no choice of
+   * normals left.
+   */
+  template <int dim>
+  void
+  restrict_to_symmetry_planes(const FaceShape<dim>               &shape,
+                              const std::vector<MortarFace<dim>> &faces,
+                              MortarNode<dim>                    &node);
+
   /// A unit vector at a node: the normal of a face around it, or the direction
-  /// in which the surface ends with the face (direction_out()).
+  /// in which the surface ends with the face (direction_out()), in the symmetry
+  /// planes of the node.
   template <int dim>
   struct ConeGenerator
   {

@@ -4,6 +4,10 @@
 #include <stickslip/contact/pairing/master_patch.h>
 #include <stickslip/contact/surface/weighting_functions.h>
 
+#include <stickslip/mesh/cross_section.h>
+
+#include <deal.II/base/quadrature.h>
+
 #include <deal.II/lac/full_matrix.h>
 
 #include <vector>
@@ -37,6 +41,21 @@ namespace stickslip
       return side != Side::master;
     }
   };
+
+
+
+  /**
+   * Sets the undeformed area of @p slave and its weighting functions, of the
+   * kind and without the nodes that it says. Returns their integrals over the
+   * face, by multiplier.
+   */
+  template <int dim>
+  std::vector<double>
+  set_weightings(const FaceShape<dim>      &displacement_shape,
+                 const FaceShape<dim>      &multiplier_shape,
+                 const Quadrature<dim - 1> &quadrature,
+                 const CrossSection        &cross_section,
+                 MortarFace<dim>           &slave);
 } // namespace stickslip
 
 #endif

@@ -1,6 +1,7 @@
 #ifndef stickslip_contact_pairing_mortar_surface_h
 #define stickslip_contact_pairing_mortar_surface_h
 
+#include <stickslip/contact/pairing/corner_tangents.h>
 #include <stickslip/contact/pairing/mortar_derivatives.h>
 #include <stickslip/contact/pairing/mortar_pairing.h>
 #include <stickslip/contact/pairing/surface_sides.h>
@@ -152,6 +153,18 @@ namespace stickslip
       return current->frames[i];
     }
 
+    /// See tangent_direction().
+    Tensor<1, dim>
+    direction(const unsigned int i) const
+    {
+      return tangent_direction(nodes[i], faces);
+    }
+
+    /// Current over reference area at node @p i of the faces around it, by
+    /// their shares of what has a master opposite.
+    double
+    area_ratio(const unsigned int i) const;
+
     /// The frame of node @p i and the master face with the largest share of it.
     Pairing<dim>
     pairing_of(const unsigned int i) const;
@@ -238,11 +251,6 @@ namespace stickslip
     /// Returns the integrals of the functions over the faces: [face][l].
     std::vector<std::vector<double>>
     set_weightings();
-
-    /// Of one face.
-    std::vector<double>
-    set_weightings(const Quadrature<dim - 1> &quadrature,
-                   MortarFace<dim>           &slave) const;
 
     void
     take_sides();

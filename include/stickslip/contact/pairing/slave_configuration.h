@@ -7,6 +7,15 @@
 
 namespace stickslip
 {
+  /// Current over reference area of a body at the place of @p values on one of
+  /// its faces, whose nodes are @p now, and where the mesh has them.
+  template <int dim>
+  double
+  area_ratio(const FaceShapeValues<dim>        &values,
+             const SurfaceFace<dim>            &face,
+             const std::vector<Tensor<1, dim>> &now,
+             const CrossSection                &section);
+
   /// Where the owned slave faces of a pair, and the points on them, are: now
   /// and at the start of the step.
   template <int dim>
@@ -41,7 +50,14 @@ namespace stickslip
     area_ratio(const std::vector<SlaveFace<dim>> &faces,
                const SlaveShapeTable<dim>        &table,
                const ContactPoint<dim>           &point,
-               const CrossSection                &section) const;
+               const CrossSection                &section) const
+    {
+      return stickslip::area_ratio(
+        table.displacement[point.geometry.quadrature_index],
+        faces[point.geometry.slave_face].face,
+        now[point.geometry.slave_face],
+        section);
+    }
 
   private:
     std::vector<std::vector<Tensor<1, dim>>> now; ///< [face][node]

@@ -92,13 +92,13 @@ namespace stickslip
 
   /**
    * Tangent basis of the plane normal to @p n. In 2D n turned by 90 degrees; in
-   * 3D tau_1 is the slave direction @p e projected on the plane and
-   * tau_2 = n x tau_1. It does not depend on how master facets are numbered and
-   * turns with the slave.
+   * 3D tau_1 is the @p direction of the slave projected on the plane (of a fixed
+   * axis where that is along n) and tau_2 = n x tau_1. It does not depend on
+   * how master facets are numbered and turns with the slave.
    */
   template <int dim>
   std::array<Tensor<1, dim>, dim - 1>
-  tangent_basis(const Tensor<1, dim> &n, const Tensor<1, dim> &e);
+  tangent_basis(const Tensor<1, dim> &n, const Tensor<1, dim> &direction);
 
   /**
    * Gap and slip from the relative position, the frame (n, tau) and its

@@ -7,6 +7,7 @@
 #include <deal.II/lac/full_matrix.h>
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -56,10 +57,14 @@ namespace stickslip
 
     std::vector<Around>                  faces;
     std::vector<types::global_dof_index> dofs; ///< [stencil node * dim + c]
-    /// Derivative along the direction E that carries the tangent basis (3D),
-    /// per node of the stencil.
+    /// Derivative along the direction E that carries the tangent basis (3D), a
+    /// direction of the face @p direction_around, per node of the stencil.
     std::vector<double> direction;
-    double              area = 0.; ///< integral of psi_j, undeformed
+    unsigned int        direction_around = 0;
+    /// Where it is set it takes the place of that direction, which then has no
+    /// derivative.
+    std::optional<Tensor<1, dim>> fixed_direction;
+    double                        area = 0.; ///< integral of psi_j, undeformed
     double gap_offset = 0.; ///< of its own, beside that of the nodes [length]
     /// Of a tied node: what r has along the tangents of its frame, and is to
     /// keep [length].
@@ -76,6 +81,15 @@ namespace stickslip
       return dofs.size() / dim;
     }
   };
+
+
+
+  template <int dim>
+  unsigned int
+  n_symmetry_planes(const MortarNode<dim> &node)
+  {
+    return dim - std::lround(trace(node.projection));
+  }
 
 
 

@@ -1,0 +1,157 @@
+#include <stickslip/contact/pairing/corner_tangents.h>
+
+#include <stickslip/contact/pairing/corner_cone.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// Largest cosine of the angle between a cone and a direction that is far
+    /// enough from it (18 degrees).
+    constexpr double nearest_to_cone = 0.95;
+
+    constexpr unsigned int directions_per_face = 4; // half a turn
+
+    /// Of such cosines: the first direction is as good.
+    constexpr double nearly_the_same = 1e-6;
+
+
+
+    /// Cosine of the smallest angle between the cone and a line.
+    template <int dim>
+    double
+    nearness(const std::vector<ConeGenerator<dim>> &cone,
+             const Tensor<1, dim>                  &direction)
+    {
+      return std::max(nearest_in_cone(cone, direction).M.norm(),
+                      nearest_in_cone(cone, -direction).M.norm());
+    }
+
+
+
+    /// The vector whose derivatives along a face's coordinates are given is
+    /// the unit vector that is turned by @p angle from the first of them.
+    std::vector<double>
+    direction_weights(const FaceShapeValues<3>        &values,
+                      const std::vector<Tensor<1, 3>> &positions,
+                      const double                     angle)
+    {
+      const auto         A   = surface_tangents<3>(values.gradient, positions);
+      const Tensor<1, 3> n   = surface_normal<3>(A);
+      const Tensor<1, 3> e_1 = A[0] / A[0].norm(),
+                         e_2 = cross_product_3d(n / n.norm(), e_1),
+                         e   = std::cos(angle) * e_1 + std::sin(angle) * e_2;
+      Tensor<2, 2> metric;
+      for (unsigned int i = 0; i < 2; ++i)
+        for (unsigned int j = 0; j < 2; ++j)
+          metric[i][j] = A[i] * A[j];
+      const Tensor<1, 2> c =
+        invert(metric) * Tensor<1, 2>({A[0] * e, A[1] * e});
+      std::vector<double> weights;
+      for (const auto &gradient : values.gradient)
+        weights.push_back(c * gradient);
+      return weights;
+    }
+
+
+
+    Tensor<1, 3>
+    unit_direction(const MortarNode<3>              &node,
+                   const std::vector<MortarFace<3>> &faces)
+    {
+      const Tensor<1, 3> direction = tangent_direction<3>(node, faces);
+      return direction / direction.norm();
+    }
+
+
+
+    void
+    set_direction(const FaceShape<3>               &shape,
+                  const std::vector<MortarFace<3>> &faces,
+                  const unsigned int                a,
+                  const double                      angle,
+                  MortarNode<3>                    &node)
+    {
+      const auto &around = node.faces[a];
+      const auto weights = direction_weights(shape.at_node(around.displacement),
+                                             faces[around.face].positions,
+                                             angle);
+      node.direction_around = a;
+      std::fill(node.direction.begin(), node.direction.end(), 0.);
+      for (unsigned int k = 0; k < weights.size(); ++k)
+        node.direction[around.stencil[k]] = weights[k];
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  void
+  align_with_symmetry_plane(MortarNode<dim> &node)
+  {
+    if (dim < 3 || n_symmetry_planes(node) != 1)
+      return;
+    // 1 - P = n n
+    unsigned int c = 0;
+    for (unsigned int d = 1; d < dim; ++d)
+      if (node.projection[d][d] < node.projection[c][c])
+        c = d;
+    Tensor<1, dim> normal = -node.projection[c];
+    normal[c] += 1.;
+    node.fixed_direction = normal / normal.norm();
+    std::fill(node.direction.begin(), node.direction.end(), 0.);
+  }
+
+
+
+  template <>
+  void
+  choose_tangent_directions(const FaceShape<2> &,
+                            const std::vector<MortarFace<2>> &,
+                            std::vector<MortarNode<2>> &)
+  {}
+
+
+
+  template <>
+  void
+  choose_tangent_directions(const FaceShape<3>               &shape,
+                            const std::vector<MortarFace<3>> &faces,
+                            std::vector<MortarNode<3>>       &nodes)
+  {
+    for (MortarNode<3> &node : nodes)
+      {
+        if (!node.is_corner)
+          continue;
+        const auto cone  = cone_of(shape, node, faces);
+        double     least = nearness<3>(cone, unit_direction(node, faces));
+        if (least < nearest_to_cone)
+          continue;
+        MortarNode<3> candidate = node;
+        for (unsigned int a = 0; a < node.faces.size(); ++a)
+          for (unsigned int k = 0; k < directions_per_face; ++k)
+            {
+              set_direction(shape,
+                            faces,
+                            a,
+                            k * numbers::PI / directions_per_face,
+                            candidate);
+              const double near =
+                nearness<3>(cone, unit_direction(candidate, faces));
+              if (near < least - nearly_the_same)
+                {
+                  least = near;
+                  node  = candidate;
+                }
+            }
+      }
+  }
+
+  template void
+  align_with_symmetry_plane(MortarNode<2> &);
+  template void
+  align_with_symmetry_plane(MortarNode<3> &);
+} // namespace stickslip
