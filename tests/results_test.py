@@ -197,6 +197,13 @@ check("restart with another mu is said", "'Contact/interface/Friction coefficien
 check("100 is 1e2", "Young's modulus" not in log)
 check("the reactions go on", len(rows_of("2D_1/reactions.csv")) > 10)
 
+# What only contact holds is said, on all numbers of ranks.
+for ranks in (1, 2):
+    result = run("case.prm", "--validate", "--set", "Boundary conditions/side/Type=traction", "--set",
+                 "Boundary conditions/side/Value=0; 0", "--set", "Boundary conditions/foundation/Value=free; 0", ranks=ranks)
+    check(f"held by contact, {ranks} ranks: {result.stdout}{result.stderr}",
+          result.returncode == 0 and "held by contact alone: body 'lower': translation along x\n" in result.stdout)
+
 # Surfaces of an Abaqus file: top gets 1, the left side 3, because 2 is there.
 pathlib.Path("square.inp").write_text(ABAQUS)
 for boundary, found in (("1", True), ("2", True), ("3", True), ("4", False)):

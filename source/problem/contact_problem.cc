@@ -105,7 +105,7 @@ namespace stickslip
     softest_spring = 1e-11 * modulus / extent;
     for (const auto &pair : contact_assembler->contact_pairs())
       if (pair->mortar)
-        pair->mortar->find_symmetry_planes(supports);
+        pair->mortar->find_symmetry_planes(supports, pair->points);
     contact_start = look_at_contact(*contact_assembler, dofs);
     x_old         = zero_state();
     unbalanced    = x_old.block(0);

@@ -109,9 +109,10 @@ namespace stickslip
       Simulation<dim> simulation(parameters, MPI_COMM_WORLD);
       if (is_validation)
         {
+          const auto lines = simulation.description_of_start();
           if (is_speaker())
             {
-              for (const std::string &line : simulation.description_of_start())
+              for (const std::string &line : lines)
                 std::cout << line << '\n';
               std::cout << command_line.parameter_file << ": no errors found."
                         << std::endl;

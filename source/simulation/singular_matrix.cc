@@ -47,28 +47,13 @@ namespace stickslip
             });
           FailureExplanation explanation;
           explanation.where = motion.text() + ".";
-          if (n_closed == 0 && step.iterations.size() > 1)
-            {
-              explanation.name = "body that has come off";
-              explanation.why =
-                "the matrix is singular: only contact can hold this motion, "
-                "and in iteration " +
-                std::to_string(step.iterations.size() - 1) +
-                " no contact point of the body was closed any more, whatever "
-                "it was at the start.";
-              explanation.advice =
-                "if the body is held at the start of the step: 'Algorithm/Name "
-                "= PNM', which finds sliding and separation one after the "
-                "other, or a smaller step; otherwise prescribe its "
-                "displacement or give it a weak spring ('Type = spring').";
-              return explanation;
-            }
           if (n_closed == 0)
             {
               explanation.name = "body held by nothing";
               explanation.why =
                 "the matrix is singular: only contact can hold this motion, "
-                "and no contact point of the body is closed.";
+                "and no contact point of the body is closed, at the start of "
+                "the step or in the iterate that has let it go.";
               explanation.advice =
                 "let the bodies touch at the start, prescribe the displacement "
                 "of the body, or give it a weak spring ('Type = spring').";

@@ -254,6 +254,10 @@ namespace stickslip
       catch (const NoConvergence &failure)
         {
           failed_iterations += problem.counts.newton_iterations;
+          // the first matrix is the same in all of them
+          if (failure.cause == FailureCause::singular &&
+              problem.counts.newton_iterations <= 1)
+            throw;
           const auto next =
             control.next_attempt(attempt,
                                  failure.cause,

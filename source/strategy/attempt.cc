@@ -8,7 +8,8 @@ namespace stickslip
   {
     bool
     another_algorithm_may_help(const FailureCause cause,
-                               const bool         step_can_be_cut)
+                               const bool         step_can_be_cut,
+                               const bool         is_first)
     {
       switch (cause)
         {
@@ -18,11 +19,14 @@ namespace stickslip
           case FailureCause::loop_cycle:
           case FailureCause::budget:
           case FailureCause::rejected:
-          case FailureCause::singular: // a body that an iterate lets go
             return true;
           case FailureCause::divergence:
           case FailureCause::inadmissible:
             return !step_can_be_cut;
+          // An iterate may let a body go, in steps of any size. A body that
+          // nothing holds is let go by all of them: the next one is enough.
+          case FailureCause::singular:
+            return is_first;
           case FailureCause::linear_solver:
             return false;
         }
@@ -55,7 +59,9 @@ namespace stickslip
       }
     const auto present =
       std::find(sequence.begin(), sequence.end(), failed.algorithm);
-    if (!another_algorithm_may_help(cause, failed.step_can_be_cut) ||
+    if (!another_algorithm_may_help(cause,
+                                    failed.step_can_be_cut,
+                                    present == sequence.begin()) ||
         present == sequence.end() || present + 1 == sequence.end())
       return {};
     next.algorithm = *(present + 1);

@@ -302,6 +302,24 @@ namespace
     for (const auto &one : all)
       if (one.norm() > 0.)
         Lambda = one;
+    // the same vector at all nodes, whose frames differ in the deformed state
+    for (const auto &point : pair->points)
+      {
+        const unsigned int l = point.geometry.quadrature_index;
+        const auto        &dofs =
+          pair->slave_faces[point.geometry.slave_face].multiplier_dofs;
+        for (unsigned int b = 0; b + 1 < dim; ++b)
+          {
+            double component = 0.;
+            for (unsigned int a = 0; a + 1 < dim; ++a)
+              component += point.nodal_rotations[l][a][b] *
+                           (point.pairing.tau[a] * Lambda);
+            x.block(1)(dofs[l * dim + 1 + b]) = component;
+          }
+      }
+    x.block(1).compress(VectorOperation::insert);
+    problem->begin_step(0., x);
+    problem->begin_iteration(x);
     compare(*problem, x, rate, 0.25, Lambda);
 
     for (const double border : {1.2, 2.1, 0.4, -10.})

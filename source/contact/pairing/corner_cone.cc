@@ -297,20 +297,24 @@ namespace stickslip
     return result;
   }
 
-#define INSTANTIATE(dim)                                                                  \
-  template void                        find_corners(const FaceShape<dim> &,               \
-                                                    const std::vector<MortarFace<dim>> &, \
-                                                    std::vector<MortarNode<dim>> &);      \
-  template std::vector<Tensor<2, dim>> generator_derivative(                              \
-    const FaceShape<dim> &,                                                               \
-    const MortarNode<dim> &,                                                              \
-    const std::vector<MortarFace<dim>> &,                                                 \
-    const ConeGenerator<dim> &);                                                          \
-  template std::vector<ConeGenerator<dim>> cone_of(                                       \
-    const FaceShape<dim> &,                                                               \
-    const MortarNode<dim> &,                                                              \
-    const std::vector<MortarFace<dim>> &);                                                \
-  template NearestInCone<dim> nearest_in_cone(                                            \
+#define INSTANTIATE(dim)                                           \
+  template void find_corners(const FaceShape<dim> &,               \
+                             const std::vector<MortarFace<dim>> &, \
+                             std::vector<MortarNode<dim>> &);      \
+  template void restrict_to_symmetry_planes(                       \
+    const FaceShape<dim> &,                                        \
+    const std::vector<MortarFace<dim>> &,                          \
+    MortarNode<dim> &);                                            \
+  template std::vector<Tensor<2, dim>> generator_derivative(       \
+    const FaceShape<dim> &,                                        \
+    const MortarNode<dim> &,                                       \
+    const std::vector<MortarFace<dim>> &,                          \
+    const ConeGenerator<dim> &);                                   \
+  template std::vector<ConeGenerator<dim>> cone_of(                \
+    const FaceShape<dim> &,                                        \
+    const MortarNode<dim> &,                                       \
+    const std::vector<MortarFace<dim>> &);                         \
+  template NearestInCone<dim> nearest_in_cone(                     \
     const std::vector<ConeGenerator<dim>> &, const Tensor<1, dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

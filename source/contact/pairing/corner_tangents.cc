@@ -84,74 +84,156 @@ namespace stickslip
       for (unsigned int k = 0; k < weights.size(); ++k)
         node.direction[around.stencil[k]] = weights[k];
     }
+
+
+
+    /// The tangents of a plane that a direction carries.
+    Tensor<2, 3>
+    tangents_in(const Tensor<1, 3> &normal, const Tensor<1, 3> &direction)
+    {
+      const auto   tau = tangent_basis<3>(normal, direction);
+      Tensor<2, 3> result;
+      for (unsigned int b = 0; b < 2; ++b)
+        result[b] = tau[b];
+      return result;
+    }
+
+
+
+    /// The nodal frames of the friction multipliers are not to turn with the
+    /// direction, which was @p before: those of nodes that hang on each other
+    /// or are periodic have to agree.
+    void
+    keep_nodal_frames(const FaceShape<3>               &shape,
+                      const std::vector<MortarFace<3>> &faces,
+                      const MortarNode<3>              &node,
+                      const Tensor<1, 3>               &before,
+                      ContactPoint<3>                  &point)
+    {
+      const auto           &around = node.faces.front();
+      const SurfaceFace<3> &face   = faces[around.face].face;
+      const Tensor<1, 3>    v      = outward_normal(
+        face,
+        surface_tangents<3>(shape.at_node(around.displacement).gradient,
+                            face.undeformed_nodes()));
+      const Tensor<1, 3> n   = v / v.norm();
+      const Tensor<2, 3> old = tangents_in(n, before),
+                         now = tangents_in(n, tangent_direction(node, faces));
+      Tensor<2, 2> turn;
+      for (unsigned int a = 0; a < 2; ++a)
+        for (unsigned int b = 0; b < 2; ++b)
+          turn[a][b] = now[a] * old[b];
+      for (auto &rotation : point.geometry.reference_rotations)
+        rotation = turn * rotation;
+      point.nodal_rotations = point.geometry.reference_rotations;
+    }
+
+
+
+    void
+    align(const FaceShape<3>               &shape,
+          const std::vector<MortarFace<3>> &faces,
+          MortarNode<3>                    &node,
+          ContactPoint<3>                  &point)
+    {
+      if (n_symmetry_planes(node) != 1)
+        return;
+      const Tensor<1, 3> before = tangent_direction(node, faces);
+      // 1 - P = n n
+      unsigned int c = 0;
+      for (unsigned int d = 1; d < 3; ++d)
+        if (node.projection[d][d] < node.projection[c][c])
+          c = d;
+      Tensor<1, 3> normal = -node.projection[c];
+      normal[c] += 1.;
+      node.fixed_direction = normal / normal.norm();
+      std::fill(node.direction.begin(), node.direction.end(), 0.);
+      keep_nodal_frames(shape, faces, node, before, point);
+    }
+
+
+
+    void
+    choose(const FaceShape<3>               &shape,
+           const std::vector<MortarFace<3>> &faces,
+           std::vector<MortarNode<3>>       &nodes,
+           std::vector<ContactPoint<3>>     &points)
+    {
+      AssertDimension(points.size(), nodes.size());
+      for (unsigned int i = 0; i < nodes.size(); ++i)
+        {
+          MortarNode<3> &node = nodes[i];
+          if (!node.is_corner)
+            continue;
+          const auto         cone      = cone_of(shape, node, faces);
+          const Tensor<1, 3> before    = unit_direction(node, faces);
+          double             least     = nearness<3>(cone, before);
+          MortarNode<3>      candidate = node;
+          if (least < nearest_to_cone)
+            continue;
+          for (unsigned int a = 0; a < node.faces.size(); ++a)
+            for (unsigned int k = 0; k < directions_per_face; ++k)
+              {
+                set_direction(shape,
+                              faces,
+                              a,
+                              k * numbers::PI / directions_per_face,
+                              candidate);
+                const double near =
+                  nearness<3>(cone, unit_direction(candidate, faces));
+                if (near < least - nearly_the_same)
+                  {
+                    least = near;
+                    node  = candidate;
+                  }
+              }
+          keep_nodal_frames(shape, faces, node, before, points[i]);
+        }
+    }
   } // namespace
 
 
 
   template <int dim>
   void
-  align_with_symmetry_plane(MortarNode<dim> &node)
+  align_with_symmetry_plane(const FaceShape<dim>               &shape,
+                            const std::vector<MortarFace<dim>> &faces,
+                            MortarNode<dim>                    &node,
+                            ContactPoint<dim>                  &point)
   {
-    if (dim < 3 || n_symmetry_planes(node) != 1)
-      return;
-    // 1 - P = n n
-    unsigned int c = 0;
-    for (unsigned int d = 1; d < dim; ++d)
-      if (node.projection[d][d] < node.projection[c][c])
-        c = d;
-    Tensor<1, dim> normal = -node.projection[c];
-    normal[c] += 1.;
-    node.fixed_direction = normal / normal.norm();
-    std::fill(node.direction.begin(), node.direction.end(), 0.);
+    if constexpr (dim == 3)
+      align(shape, faces, node, point);
+    else
+      (void)shape, (void)faces, (void)node, (void)point;
   }
 
 
 
-  template <>
+  template <int dim>
   void
-  choose_tangent_directions(const FaceShape<2> &,
-                            const std::vector<MortarFace<2>> &,
-                            std::vector<MortarNode<2>> &)
-  {}
-
-
-
-  template <>
-  void
-  choose_tangent_directions(const FaceShape<3>               &shape,
-                            const std::vector<MortarFace<3>> &faces,
-                            std::vector<MortarNode<3>>       &nodes)
+  choose_tangent_directions(const FaceShape<dim>               &shape,
+                            const std::vector<MortarFace<dim>> &faces,
+                            std::vector<MortarNode<dim>>       &nodes,
+                            std::vector<ContactPoint<dim>>     &points)
   {
-    for (MortarNode<3> &node : nodes)
-      {
-        if (!node.is_corner)
-          continue;
-        const auto cone  = cone_of(shape, node, faces);
-        double     least = nearness<3>(cone, unit_direction(node, faces));
-        if (least < nearest_to_cone)
-          continue;
-        MortarNode<3> candidate = node;
-        for (unsigned int a = 0; a < node.faces.size(); ++a)
-          for (unsigned int k = 0; k < directions_per_face; ++k)
-            {
-              set_direction(shape,
-                            faces,
-                            a,
-                            k * numbers::PI / directions_per_face,
-                            candidate);
-              const double near =
-                nearness<3>(cone, unit_direction(candidate, faces));
-              if (near < least - nearly_the_same)
-                {
-                  least = near;
-                  node  = candidate;
-                }
-            }
-      }
+    if constexpr (dim == 3)
+      choose(shape, faces, nodes, points);
+    else
+      (void)shape, (void)faces, (void)nodes, (void)points;
   }
 
-  template void
-  align_with_symmetry_plane(MortarNode<2> &);
-  template void
-  align_with_symmetry_plane(MortarNode<3> &);
+#define INSTANTIATE(dim)                   \
+  template void align_with_symmetry_plane( \
+    const FaceShape<dim> &,                \
+    const std::vector<MortarFace<dim>> &,  \
+    MortarNode<dim> &,                     \
+    ContactPoint<dim> &);                  \
+  template void choose_tangent_directions( \
+    const FaceShape<dim> &,                \
+    const std::vector<MortarFace<dim>> &,  \
+    std::vector<MortarNode<dim>> &,        \
+    std::vector<ContactPoint<dim>> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace stickslip

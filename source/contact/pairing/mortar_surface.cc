@@ -65,7 +65,7 @@ namespace stickslip
     if (!parameters.is_bilateral())
       {
         find_corners(displacement_shape, faces, nodes);
-        choose_tangent_directions(displacement_shape, faces, nodes);
+        choose_tangent_directions(displacement_shape, faces, nodes, points);
       }
     for (auto &point : points)
       point.geometry.weight = nodes[point.geometry.mortar_node].area;
@@ -157,10 +157,13 @@ namespace stickslip
 
   template <int dim>
   void
-  MortarSurface<dim>::find_symmetry_planes(const Constraints &supports)
+  MortarSurface<dim>::find_symmetry_planes(
+    const Constraints              &supports,
+    std::vector<ContactPoint<dim>> &points)
   {
-    for (MortarNode<dim> &node : nodes)
+    for (unsigned int i = 0; i < nodes.size(); ++i)
       {
+        MortarNode<dim>        &node = nodes[i];
         std::vector<Point<dim>> positions(node.n_stencil_nodes());
         for (const auto &around : node.faces)
           for (unsigned int k = 0; k < around.stencil.size(); ++k)
@@ -172,7 +175,7 @@ namespace stickslip
                                               own.stencil[own.displacement],
                                               supports);
         restrict_to_symmetry_planes(displacement_shape, faces, node);
-        align_with_symmetry_plane(node);
+        align_with_symmetry_plane(displacement_shape, faces, node, points[i]);
       }
   }
 

@@ -75,6 +75,7 @@ namespace stickslip
     add_level(A);
     if (second.n_global() > 0)
       coarsen(A, std::move(prolongation), second);
+    bool are_joined = false;
     while (levels.size() < max_levels && n_unknowns() > largest_coarsest_level)
       {
         TentativeProlongation tentative =
@@ -83,7 +84,14 @@ namespace stickslip
                                  modes);
         if (tentative.coarse.owned_unknowns().size() >
             least_coarsening * n_unknowns())
-          break;
+          {
+            if (are_joined)
+              break;
+            // many small bodies: from here on in one
+            std::fill(modes.bodies.begin(), modes.bodies.end(), 0);
+            are_joined = true;
+            continue;
+          }
         coarsen(A,
                 smoothed_prolongation(
                   A, levels.back()->smoother, tentative.rows, tentative.coarse),

@@ -73,9 +73,10 @@ namespace stickslip
       return (*current->segments)[f];
     }
 
-    /// See symmetry_projection().
+    /// See symmetry_projection(). @p points are those of the nodes.
     void
-    find_symmetry_planes(const Constraints &supports);
+    find_symmetry_planes(const Constraints              &supports,
+                         std::vector<ContactPoint<dim>> &points);
 
     /// What is added to the gap: @p offset of a reference position.
     void
