@@ -360,7 +360,12 @@ namespace stickslip
     multiplier_constraints.add_to(multiplier_lines,
                                   geometric_lines,
                                   dofs.owned.size());
-    copy_lines(multiplier_lines, geometric_lines);
+    for (const auto &line : multiplier_lines.get_lines())
+      if (!line.entries.empty()) // without any lines deal.II adds faster
+        {
+          geometric_lines.add_line(line.index);
+          geometric_lines.add_entries(line.index, line.entries);
+        }
     geometric_lines.close();
 
     unapplied = largest_inhomogeneity(increment_lines, displacement);
