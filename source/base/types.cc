@@ -18,18 +18,16 @@ namespace stickslip
 
 
     void
-    RowAdder::add(const types::global_dof_index  row,
-                  const ArrayView<const double> &values,
-                  const double                   weight)
+    RowAdder::add(const types::global_dof_index row,
+                  const std::vector<double>    &values,
+                  const double                  weight)
     {
-      if (columns.empty())
-        return;
       using Index           = TrilinosWrappers::types::int_type;
       const auto &epetra    = matrix.trilinos_matrix();
       const int   local_row = epetra.LRID(static_cast<Index>(row));
       if (local_row < 0) // of another rank
         {
-          std::vector<double> weighted(values.begin(), values.end());
+          std::vector<double> weighted(values);
           for (double &value : weighted)
             value *= weight;
           matrix.add(row, columns, weighted, false);

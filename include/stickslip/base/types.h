@@ -129,9 +129,9 @@ namespace stickslip
       /// Row @p row += @p weight times @p values in the columns, which must be
       /// in the sparsity.
       void
-      add(const types::global_dof_index  row,
-          const ArrayView<const double> &values,
-          const double                   weight);
+      add(const types::global_dof_index row,
+          const std::vector<double>    &values,
+          const double                  weight);
 
     private:
       SparseMatrix                        &matrix;

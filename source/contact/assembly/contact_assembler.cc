@@ -64,8 +64,6 @@ namespace stickslip
                                     communicator);
     for (unsigned int p = 0; p < pairs.size(); ++p)
       pairs[p]->set_multiplier_dofs(numbering, p);
-    owners = {{{owned_displacements.n_elements(), communicator},
-               {numbering.locally_owned().n_elements(), communicator}}};
   }
 
 
@@ -343,7 +341,6 @@ namespace stickslip
   {
     Vector<double>     local;
     FullMatrix<double> local_matrix;
-    TangentAdder       adder(constraints, owners, matrix, rhs);
     friction.reinit(numbering.locally_owned(), communicator);
     for (const auto &pair : pairs)
       {
@@ -365,7 +362,8 @@ namespace stickslip
                                    state,
                                    this->live.geometry && linearize_geometry,
                                    local_matrix);
-            adder.add(local_matrix, local, dofs);
+            constraints.distribute_local_to_global(
+              local_matrix, local, dofs, matrix, rhs);
             if (has_linearized_friction(*pair, point))
               {
                 const unsigned int i = point.geometry.quadrature_index;
@@ -380,7 +378,6 @@ namespace stickslip
         if (pair->mortar)
           pair->mortar->finish_derivatives();
       }
-    adder.finish();
     friction.compress();
   }
 

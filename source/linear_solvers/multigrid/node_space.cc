@@ -11,14 +11,33 @@
 
 namespace stickslip
 {
+  namespace
+  {
+    using Index = NodeSpace::Index;
+
+
+
+    /// First number of each rank, and at last the number of all.
+    std::vector<Index>
+    ranges(const Index n_owned, const MPI_Comm &communicator)
+    {
+      std::vector<Index> begins(1, 0);
+      for (const Index n : Utilities::MPI::all_gather(communicator, n_owned))
+        begins.push_back(begins.back() + n);
+      return begins;
+    }
+  } // namespace
+
+
+
   NodeSpace::NodeSpace(const std::vector<unsigned int> &sizes,
                        const MPI_Comm                  &communicator)
     : comm(communicator)
     , n_owned_nodes(sizes.size())
-    , ranges(sizes.size(), communicator)
+    , rank_begins(ranges(sizes.size(), communicator))
     , begins(sizes.size() + 1, 0)
   {
-    first = ranges.begin(Utilities::MPI::this_mpi_process(comm));
+    first = rank_begins[Utilities::MPI::this_mpi_process(comm)];
     std::partial_sum(sizes.begin(), sizes.end(), begins.begin() + 1);
     set_ghosts({});
   }
@@ -33,6 +52,15 @@ namespace stickslip
   {
     AssertThrow(unknowns.n_elements() % n == 0,
                 ExcMessage("A node is on two ranks."));
+  }
+
+
+
+  unsigned int
+  NodeSpace::rank_of(const Index node) const
+  {
+    return std::upper_bound(rank_begins.begin(), rank_begins.end(), node) -
+           rank_begins.begin() - 1;
   }
 
 
@@ -57,9 +85,9 @@ namespace stickslip
     ghosts = std::move(nodes);
     begins.resize(n_owned_nodes + 1);
 
-    const RankRanges unknowns(n_owned_unknowns(), comm);
-    const Index mine = unknowns.begin(Utilities::MPI::this_mpi_process(comm));
-    IndexSet    owned(unknowns.n_global()), ghost_unknowns(unknowns.n_global());
+    const auto  unknowns = ranges(n_owned_unknowns(), comm);
+    const Index mine     = unknowns[Utilities::MPI::this_mpi_process(comm)];
+    IndexSet    owned(unknowns.back()), ghost_unknowns(unknowns.back());
     owned.add_range(mine, mine + n_owned_unknowns());
 
     std::map<unsigned int, std::vector<Index>> wanted;

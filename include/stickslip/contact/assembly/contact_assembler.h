@@ -4,7 +4,6 @@
 #include <stickslip/contact/assembly/contact_row_sizes.h>
 #include <stickslip/contact/assembly/linearized_friction.h>
 #include <stickslip/contact/assembly/point_evaluator.h>
-#include <stickslip/contact/assembly/tangent_adder.h>
 
 #include <memory>
 #include <vector>
@@ -142,7 +141,6 @@ namespace stickslip
     std::vector<std::unique_ptr<ContactPair<dim>>> pairs;
     MultiplierNumbering                            numbering;
     LinearizedFriction<dim>                        friction;
-    TangentAdder::Owners                           owners;
     types::global_dof_index                        n_displacements;
     IndexSet                                       relevant_displacements;
     MPI_Comm                                       communicator;

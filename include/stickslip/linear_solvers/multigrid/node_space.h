@@ -1,8 +1,6 @@
 #ifndef stickslip_linear_solvers_multigrid_node_space_h
 #define stickslip_linear_solvers_multigrid_node_space_h
 
-#include <stickslip/base/rank_ranges.h>
-
 #include <deal.II/base/partitioner.h>
 
 #include <algorithm>
@@ -53,7 +51,7 @@ namespace stickslip
     Index
     n_global() const
     {
-      return ranges.n_global();
+      return rank_begins.empty() ? 0 : rank_begins.back();
     }
 
     /// Owned nodes and ghosts.
@@ -121,10 +119,7 @@ namespace stickslip
     }
 
     unsigned int
-    rank_of(const Index node) const
-    {
-      return ranges.rank_of(node);
-    }
+    rank_of(const Index node) const;
 
     const MPI_Comm &
     communicator() const
@@ -153,7 +148,7 @@ namespace stickslip
     MPI_Comm                                           comm  = MPI_COMM_SELF;
     Index                                              first = 0;
     unsigned int                                       n_owned_nodes = 0;
-    RankRanges                                         ranges; ///< of nodes
+    std::vector<Index>                                 rank_begins; ///< nodes
     std::vector<Index>                                 ghosts;
     std::vector<unsigned int>                          begins{0};
     std::map<unsigned int, std::vector<Index>>         seen;
