@@ -29,9 +29,9 @@ namespace stickslip
 
 
 
-    /// A border whose direction out has less than this along the symmetry
-    /// planes is in them.
-    constexpr double least_part_in_plane = 0.5;
+    /// An edge that leaves the symmetry planes by less than this share of its
+    /// length lies in them.
+    constexpr double same_plane = 1e-6;
 
 
 
@@ -177,17 +177,14 @@ namespace stickslip
   {
     if (!node.is_corner || n_symmetry_planes(node) == 0)
       return;
-    const auto is_in_plane =
-      [&](const typename MortarNode<dim>::Border &border) {
-        const auto             &around = node.faces[border.around];
-        const SurfaceFace<dim> &face   = faces[around.face].face;
-        const Tensor<1, dim>    out    = direction_out(shape,
-                                                 face,
-                                                 around.displacement,
-                                                 border.neighbour,
-                                                 face.undeformed_nodes());
-        return (node.projection * out).norm() < least_part_in_plane;
-      };
+    const auto is_in_plane = [&](
+                               const typename MortarNode<dim>::Border &border) {
+      const auto          &around = node.faces[border.around];
+      const auto          &nodes  = faces[around.face].face.reference_positions;
+      const Tensor<1, dim> edge =
+        nodes[border.neighbour] - nodes[around.displacement];
+      return (edge - node.projection * edge).norm() < same_plane * edge.norm();
+    };
     node.borders.erase(std::remove_if(node.borders.begin(),
                                       node.borders.end(),
                                       is_in_plane),

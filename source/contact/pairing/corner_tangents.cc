@@ -32,32 +32,6 @@ namespace stickslip
 
 
 
-    /// The vector whose derivatives along a face's coordinates are given is
-    /// the unit vector that is turned by @p angle from the first of them.
-    std::vector<double>
-    direction_weights(const FaceShapeValues<3>        &values,
-                      const std::vector<Tensor<1, 3>> &positions,
-                      const double                     angle)
-    {
-      const auto         A   = surface_tangents<3>(values.gradient, positions);
-      const Tensor<1, 3> n   = surface_normal<3>(A);
-      const Tensor<1, 3> e_1 = A[0] / A[0].norm(),
-                         e_2 = cross_product_3d(n / n.norm(), e_1),
-                         e   = std::cos(angle) * e_1 + std::sin(angle) * e_2;
-      Tensor<2, 2> metric;
-      for (unsigned int i = 0; i < 2; ++i)
-        for (unsigned int j = 0; j < 2; ++j)
-          metric[i][j] = A[i] * A[j];
-      const Tensor<1, 2> c =
-        invert(metric) * Tensor<1, 2>({A[0] * e, A[1] * e});
-      std::vector<double> weights;
-      for (const auto &gradient : values.gradient)
-        weights.push_back(c * gradient);
-      return weights;
-    }
-
-
-
     Tensor<1, 3>
     unit_direction(const MortarNode<3>              &node,
                    const std::vector<MortarFace<3>> &faces)
@@ -68,6 +42,7 @@ namespace stickslip
 
 
 
+    /// Takes a direction in face @p a, by the angle from its first coordinate.
     void
     set_direction(const FaceShape<3>               &shape,
                   const std::vector<MortarFace<3>> &faces,
@@ -75,27 +50,21 @@ namespace stickslip
                   const double                      angle,
                   MortarNode<3>                    &node)
     {
-      const auto &around = node.faces[a];
-      const auto weights = direction_weights(shape.at_node(around.displacement),
-                                             faces[around.face].positions,
-                                             angle);
+      const auto &around   = node.faces[a];
+      const auto &gradient = shape.at_node(around.displacement).gradient;
+      const auto  A =
+        surface_tangents<3>(gradient, faces[around.face].positions);
+      const Tensor<1, 3> n   = surface_normal<3>(A);
+      const Tensor<1, 3> e_1 = A[0] / A[0].norm(),
+                         e_2 = cross_product_3d(n / n.norm(), e_1);
+      const auto weights =
+        direction_weights(gradient,
+                          A,
+                          std::cos(angle) * e_1 + std::sin(angle) * e_2);
       node.direction_around = a;
       std::fill(node.direction.begin(), node.direction.end(), 0.);
       for (unsigned int k = 0; k < weights.size(); ++k)
         node.direction[around.stencil[k]] = weights[k];
-    }
-
-
-
-    /// The tangents of a plane that a direction carries.
-    Tensor<2, 3>
-    tangents_in(const Tensor<1, 3> &normal, const Tensor<1, 3> &direction)
-    {
-      const auto   tau = tangent_basis<3>(normal, direction);
-      Tensor<2, 3> result;
-      for (unsigned int b = 0; b < 2; ++b)
-        result[b] = tau[b];
-      return result;
     }
 
 
@@ -117,8 +86,8 @@ namespace stickslip
         surface_tangents<3>(shape.at_node(around.displacement).gradient,
                             face.undeformed_nodes()));
       const Tensor<1, 3> n   = v / v.norm();
-      const Tensor<2, 3> old = tangents_in(n, before),
-                         now = tangents_in(n, tangent_direction(node, faces));
+      const auto         old = tangent_basis<3>(n, before),
+                 now = tangent_basis<3>(n, tangent_direction(node, faces));
       Tensor<2, 2> turn;
       for (unsigned int a = 0; a < 2; ++a)
         for (unsigned int b = 0; b < 2; ++b)

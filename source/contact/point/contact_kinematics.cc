@@ -1,6 +1,6 @@
 #include <stickslip/contact/point/contact_kinematics.h>
 
-#include <cmath>
+#include <stickslip/base/axes_across.h>
 
 namespace stickslip
 {
@@ -164,21 +164,6 @@ namespace stickslip
 
 
 
-    /// A direction that does, and does not move.
-    Tensor<1, 3>
-    fixed_direction(const Tensor<1, 3> &n)
-    {
-      unsigned int c = 0;
-      for (unsigned int d = 1; d < 3; ++d)
-        if (std::abs(n[d]) < std::abs(n[c]))
-          c = d;
-      Tensor<1, 3> axis;
-      axis[c] = 1.;
-      return axis;
-    }
-
-
-
     /// Derivative of the tangent basis, given that of the normal.
     template <int dim>
     void
@@ -201,8 +186,8 @@ namespace stickslip
         {
           using G = GeneralizedCoordinates<dim>;
           // q = P e,  D q = P De - n (Dn.e) - Dn (n.e),  tau_1 = q/|q|
-          const bool           moves = carries_tangents(n, direction);
-          const Tensor<1, dim> e     = moves ? direction : fixed_direction(n);
+          const bool           moves    = carries_tangents(n, direction);
+          const Tensor<1, dim> e        = moves ? direction : farthest_axis(n);
           const double         q_length = (e - (e * n) * n).norm();
           VectorRows<dim>      D_q;
           clear<dim>(D_q);
@@ -252,7 +237,7 @@ namespace stickslip
     else
       {
         const Tensor<1, dim> e =
-          carries_tangents(n, direction) ? direction : fixed_direction(n);
+          carries_tangents(n, direction) ? direction : farthest_axis(n);
         const Tensor<1, dim> q = e - (e * n) * n;
         tau[0]                 = q / q.norm();
         tau[1]                 = cross_product_3d(n, tau[0]);

@@ -129,15 +129,8 @@ namespace stickslip
           const Tensor<1, 3> e_1 = reference_tangent(N);
           const Tensor<1, 3> e_2 = cross_product_3d(N, e_1);
 
-          // e_1 = c^alpha A_alpha, so d/de_1 = c^alpha d/dxi_alpha
-          Tensor<2, 2> metric;
-          for (unsigned int d = 0; d < 2; ++d)
-            for (unsigned int e = 0; e < 2; ++e)
-              metric[d][e] = A[d] * A[e];
-          const Tensor<1, 2> c =
-            invert(metric) * Tensor<1, 2>({A[0] * e_1, A[1] * e_1});
-          for (unsigned int j = 0; j < face.n_nodes; ++j)
-            point.geometry.direction_gradients[j] = c * gradient[j];
+          point.geometry.direction_gradients =
+            direction_weights(gradient, A, e_1);
 
           for (unsigned int l = 0; l < n_multipliers; ++l)
             {

@@ -1,5 +1,7 @@
 #include <stickslip/contact/surface/projected_face.h>
 
+#include <stickslip/base/axes_across.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -12,13 +14,8 @@ namespace stickslip
     Tensor<1, 3>
     tangent_to(const Tensor<1, 3> &n)
     {
-      unsigned int smallest = 0;
-      for (unsigned int c = 1; c < 3; ++c)
-        if (std::abs(n[c]) < std::abs(n[smallest]))
-          smallest = c;
-      Tensor<1, 3> axis;
-      axis[smallest]       = 1.;
-      const Tensor<1, 3> t = axis - (axis * n) * n;
+      const Tensor<1, 3> axis = farthest_axis(n);
+      const Tensor<1, 3> t    = axis - (axis * n) * n;
       return t / t.norm();
     }
 

@@ -157,6 +157,25 @@ namespace stickslip
 
 
 
+  std::vector<double>
+  direction_weights(const std::vector<Tensor<1, 2>>   &gradient,
+                    const std::array<Tensor<1, 3>, 2> &A,
+                    const Tensor<1, 3>                &e)
+  {
+    // e = c^alpha A_alpha, so d/de = c^alpha d/dxi_alpha
+    Tensor<2, 2> metric;
+    for (unsigned int d = 0; d < 2; ++d)
+      for (unsigned int b = 0; b < 2; ++b)
+        metric[d][b] = A[d] * A[b];
+    const Tensor<1, 2>  c = invert(metric) * Tensor<1, 2>({A[0] * e, A[1] * e});
+    std::vector<double> weights;
+    for (const Tensor<1, 2> &of_node : gradient)
+      weights.push_back(c * of_node);
+    return weights;
+  }
+
+
+
   template <int dim>
   std::vector<unsigned int>
   nodes_of_face(const FiniteElement<dim> &fe,

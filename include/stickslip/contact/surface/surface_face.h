@@ -281,6 +281,16 @@ namespace stickslip
 
 
 
+  /// Weights of the nodes of a face with which they sum up to the tangent
+  /// @p e at a place with the tangents @p A and gradients of shape functions:
+  /// the material direction that e is now.
+  std::vector<double>
+  direction_weights(const std::vector<Tensor<1, 2>>   &gradient,
+                    const std::array<Tensor<1, 3>, 2> &A,
+                    const Tensor<1, 3>                &e);
+
+
+
   /// Derivative of the outward unit normal at the place of @p values, per node.
   template <int dim>
   std::vector<Tensor<2, dim>>
