@@ -2,6 +2,7 @@
 
 #include <stickslip/base/parsed_expression.h>
 #include <stickslip/base/user_error.h>
+#include <stickslip/mesh/bent_cells.h>
 #include <stickslip/mesh/condition_list.h>
 #include <stickslip/mesh/generator_arguments.h>
 #include <stickslip/mesh/mesh_checks.h>
@@ -39,12 +40,12 @@ namespace stickslip
 
 
 
-    /// Moves the vertices, and the nodes of curved cells, to where the
-    /// expressions say.
+    /// Moves all points of the body to where the expressions say.
     template <int dim>
     void
     reshape_body(const std::string &coordinates,
                  const std::string &parameter_path,
+                 const bool         only_vertices,
                  BodyMesh<dim>     &body)
     {
       const std::vector<std::string> expressions =
@@ -55,11 +56,11 @@ namespace stickslip
                         " expressions, expected " + std::to_string(dim) +
                         ", separated by ';'.");
 
-      const auto new_coordinates =
+      const std::shared_ptr<const Function<dim>> new_coordinates =
         parse_expressions<dim>(dim == 2 ? "x,y" : "x,y,z",
                                expressions,
                                parameter_path);
-      const auto move = [&](const Point<dim> &x) {
+      const auto move = [=](const Point<dim> &x) {
         Point<dim> moved;
         for (unsigned int d = 0; d < dim; ++d)
           {
@@ -71,12 +72,20 @@ namespace stickslip
           }
         return moved;
       };
+      const bool are_new = !body.curved_cells;
+      if (are_new && !only_vertices)
+        body.curved_cells = quadratic_cells_of(body.triangulation);
       // The generator's curves have no meaning on the new shape.
       body.triangulation.reset_all_manifolds();
       body.triangulation.set_all_manifold_ids(numbers::flat_manifold_id);
       GridTools::transform(move, body.triangulation);
-      if (body.curved_cells)
-        body.curved_cells->transform(move);
+      if (!body.curved_cells)
+        return;
+      body.curved_cells->transform(move);
+      // Straight cells are the better ones where they are the body.
+      if (are_new &&
+          has_straight_boundary(body.triangulation, *body.curved_cells))
+        body.curved_cells.reset();
     }
 
 
@@ -251,7 +260,8 @@ namespace stickslip
   make_body_mesh(const BodyParameters &parameters,
                  const std::string    &path,
                  MeshFiles            &files,
-                 const MeshSize       &size)
+                 const MeshSize       &size,
+                 const bool            only_vertices)
   {
     auto                body          = std::make_unique<BodyMesh<dim>>();
     Triangulation<dim> &triangulation = body->triangulation;
@@ -280,8 +290,6 @@ namespace stickslip
         materials);
     check_cell_types(triangulation, path);
 
-    if (!parameters.coordinates.empty())
-      reshape_body(parameters.coordinates, path + "/Coordinates", *body);
     check_cell_shapes(triangulation, path);
     if (body->curved_cells)
       check_curved_cells(*body->curved_cells, path);
@@ -296,6 +304,17 @@ namespace stickslip
                         path + "/Simplices",
                         "true makes ");
     triangulation.refine_global(parameters.refinements);
+    if (!parameters.coordinates.empty())
+      {
+        reshape_body(parameters.coordinates,
+                     path + "/Coordinates",
+                     only_vertices && !parameters.simplices,
+                     *body);
+        check_cell_shapes(triangulation, path);
+        if (body->curved_cells)
+          check_curved_cells(*body->curved_cells, path);
+        bend_sides(*body);
+      }
     if (parameters.simplices)
       {
         cut_into_simplices(path, triangulation);
@@ -327,10 +346,12 @@ namespace stickslip
   make_body_mesh<2>(const BodyParameters &,
                     const std::string &,
                     MeshFiles &,
-                    const MeshSize &);
+                    const MeshSize &,
+                    const bool);
   template std::unique_ptr<BodyMesh<3>>
   make_body_mesh<3>(const BodyParameters &,
                     const std::string &,
                     MeshFiles &,
-                    const MeshSize &);
+                    const MeshSize &,
+                    const bool);
 } // namespace stickslip

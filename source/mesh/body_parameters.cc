@@ -67,13 +67,13 @@ namespace stickslip
                  "Format of the mesh file; automatic goes by the extension "
                  "(.msh, .inp, .vtk, .vtu, .ucd) and, for .inp, the "
                  "contents."));
-    prm.add_parameter("Coordinates",
-                      coordinates,
-                      "New coordinates of the vertices, \"fx; fy\" or "
-                      "\"fx; fy; fz\", as expressions of x, y, z, for grading "
-                      "and shaping. Straightens what a generator has curved "
-                      "between the vertices; the nodes of a mesh file between "
-                      "the vertices move as these do.");
+    prm.add_parameter(
+      "Coordinates",
+      coordinates,
+      "New coordinates of all points of the body, \"fx; fy\" or "
+      "\"fx; fy; fz\", as expressions of x, y, z, for grading "
+      "and shaping. If these bend the boundary, refined cells follow "
+      "them, with Degree = 2 the sides of cells, too.");
     prm.add_parameter("Refinements",
                       refinements,
                       "Uniform refinements of this body alone, before the "

@@ -31,6 +31,9 @@ namespace stickslip
   QuadraticCells<dim>::transform(
     const std::function<Point<dim>(const Point<dim> &)> &map)
   {
+    Assert(!this->map, ExcMessage("Cells are moved once."));
+    this->map        = map;
+    nodes_before_map = nodes;
     for (Point<dim> &node : nodes)
       node = map(node);
   }
@@ -42,10 +45,12 @@ namespace stickslip
   QuadraticCells<dim>::position(const std::size_t cell,
                                 const Point<dim> &unit) const
   {
+    const Point<dim> *const of_cell =
+      (map ? nodes_before_map : nodes).data() + cell * fe->n_dofs_per_cell();
     Point<dim> x;
     for (unsigned int i = 0; i < fe->n_dofs_per_cell(); ++i)
-      x += fe->shape_value(i, unit) * Tensor<1, dim>(node(cell, i));
-    return x;
+      x += fe->shape_value(i, unit) * Tensor<1, dim>(of_cell[i]);
+    return map ? map(x) : x;
   }
 
 
@@ -131,10 +136,11 @@ namespace stickslip
                                           const Point<dim> &x,
                                           const Point<dim> &start) const
   {
-    constexpr unsigned int most_iterations = 20;
-    constexpr double       smallest_step   = 1e-12;
-    constexpr double       far_away        = 2.;
-    constexpr double       outside         = 1e-6; // room for roundoff
+    // Beside a map the Jacobian is only near to the derivatives.
+    const unsigned int most_iterations = map ? 60 : 20;
+    constexpr double   smallest_step   = 1e-12;
+    constexpr double   far_away        = 2.;
+    constexpr double   outside         = 1e-6; // room for roundoff
 
     Point<dim> unit = start;
     for (unsigned int iteration = 0; iteration < most_iterations; ++iteration)

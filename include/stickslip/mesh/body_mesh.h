@@ -23,8 +23,9 @@ namespace stickslip
    * the others. Boundary ids are those of `boundaries`, cell->material_id() is
    * an index into `materials`. `manifolds` holds the manifolds of the final
    * place for the ids that are still in use (the triangulation's own may be
-   * outdated). `curved_cells` is the geometry of cells of the second order, no
-   * pointer if the body has none; it is a manifold like others afterwards.
+   * outdated). `curved_cells` is the geometry of cells of the second order and
+   * of those that 'Coordinates' bends, no pointer if the body has none; it is a
+   * manifold like others afterwards.
    */
   template <int dim>
   struct BodyMesh
@@ -46,14 +47,16 @@ namespace stickslip
   /**
    * Generates or reads, shapes, refines, moves and marks one body. Collective
    * (mesh files). @p path is the body's subsection. @p size refuses
-   * what does not fit before it is made. Throws UserError on all ranks.
+   * what does not fit before it is made. @p only_vertices: nobody will ask
+   * where a point between the vertices is. Throws UserError on all ranks.
    */
   template <int dim>
   std::unique_ptr<BodyMesh<dim>>
   make_body_mesh(const BodyParameters &parameters,
                  const std::string    &path,
                  MeshFiles            &files,
-                 const MeshSize       &size);
+                 const MeshSize       &size,
+                 const bool            only_vertices);
 } // namespace stickslip
 
 #endif
