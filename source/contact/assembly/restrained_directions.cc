@@ -15,6 +15,11 @@ namespace stickslip
     /// Free unknowns that move a point by less than this do not move it.
     constexpr double no_mobility = 1e-5;
 
+    /// The same of a mortar node. Its foot on the master leaves a symmetry
+    /// plane by the gap times the slope of a facet, as the facets of the two
+    /// halves are not mirror images of each other.
+    constexpr double no_mobility_of_node = 1e-2;
+
     /// r_t times a prescribed motion below this is none (far below the contact
     /// tolerance, far above roundoff).
     constexpr double no_motion = 1e-10;
@@ -33,6 +38,33 @@ namespace stickslip
       Tensor<1, dim>                                    prescribed;
       Tensor<1, dim>                                    so_far; ///< in the step
     };
+
+
+
+    template <int dim>
+    double
+    negligible_mobility(const ContactPair<dim> &pair)
+    {
+      return pair.mortar ? no_mobility_of_node : no_mobility;
+    }
+
+
+
+    /// As if the point were where only the other nodes count: values below
+    /// @p negligible are set to zero, the sum of the values stays one.
+    void
+    leave_out_negligible(const double negligible, std::vector<double> &shape)
+    {
+      double sum = 0.;
+      for (double &value : shape)
+        {
+          if (std::abs(value) < negligible)
+            value = 0.;
+          sum += value;
+        }
+      for (double &value : shape)
+        value /= sum;
+    }
 
 
 
@@ -77,6 +109,7 @@ namespace stickslip
       if (pairing.paired)
         {
           pair.patch->evaluate_values(pairing.chart, pairing.xi, master_shape);
+          leave_out_negligible(negligible_mobility(pair), master_shape);
           add(pair.patch->face(pairing.face).dofs, master_shape, -1.);
           const auto &now = pair.patch->configuration(pairing.face).positions;
           const auto &old =
@@ -133,9 +166,10 @@ namespace stickslip
       SymmetricTensor<2, dim> K;
       for (const auto &[dof, value] : motion.free)
         K += symmetrize(outer_product(value, value));
-      const Tensor<1, dim> w = motion.so_far + motion.prescribed;
+      const Tensor<1, dim> w          = motion.so_far + motion.prescribed;
+      const double         negligible = negligible_mobility(pair);
       Tensor<1, dim>       driven;
-      for (const auto &h : null_directions(K, no_mobility * no_mobility))
+      for (const auto &h : null_directions(K, negligible * negligible))
         driven += (h * w) * h;
       if (point.regularization.r_t_law * driven.norm() > no_motion)
         {
@@ -244,8 +278,9 @@ namespace stickslip
             for (unsigned int k = 0; k < dim; ++k)
               for (unsigned int c = k; c < dim; ++c)
                 K[k][c] += nodal[k](dofs[l * dim + c]);
+        const double negligible = negligible_mobility(pair);
         point.restrained.directions =
-          tangential_directions(null_directions(K, no_mobility * no_mobility),
+          tangential_directions(null_directions(K, negligible * negligible),
                                 point.pairing.n);
         if (point.restrained.directions.empty())
           return;
