@@ -1,4 +1,5 @@
 #include <stickslip/mesh/bent_cells.h>
+#include <stickslip/mesh/mapping_nodes.h>
 #include <stickslip/mesh/reference_cells.h>
 
 #include <deal.II/fe/fe.h>
@@ -11,17 +12,16 @@ namespace stickslip
 {
   namespace
   {
-    /// Weights of the vertices of a face for places on it: the nodes of degree
-    /// 2, and others, as a wave may have its zeros at the nodes.
+    /// Weights of the vertices of a face for the nodes of degree 2 on it.
     std::vector<std::vector<double>>
     places_on_face(const unsigned int n_vertices)
     {
       std::vector<std::vector<double>> places;
-      for (const double a : {0., 0.23, 0.5, 1.})
+      for (const double a : {0., 0.5, 1.})
         if (n_vertices == 2)
           places.push_back({1. - a, a});
         else
-          for (const double b : {0., 0.23, 0.5, 1.})
+          for (const double b : {0., 0.5, 1.})
             if (n_vertices == 4)
               places.push_back(
                 {(1. - a) * (1. - b), a * (1. - b), (1. - a) * b, a * b});
@@ -118,15 +118,20 @@ namespace stickslip
   quadratic_cells_of(const Triangulation<dim> &triangulation)
   {
     const ReferenceCell kind = triangulation.begin_active()->reference_cell();
-    const auto          mapping = kind.template get_default_mapping<dim>(2);
-    auto                cells   = std::make_shared<QuadraticCells<dim>>(kind);
+    const MappingNodes<dim> nodes_on_manifolds(2);
+    const auto              simplex = kind.template get_default_mapping<dim>(2);
+    auto                    cells = std::make_shared<QuadraticCells<dim>>(kind);
+    const auto             &places = cells->element().get_unit_support_points();
     for (const auto &cell : triangulation.active_cell_iterators())
-      {
-        std::vector<Point<dim>> nodes;
-        for (const auto &unit : cells->element().get_unit_support_points())
-          nodes.push_back(mapping->transform_unit_to_real_cell(cell, unit));
-        cells->add(nodes);
-      }
+      if (kind.is_simplex())
+        {
+          std::vector<Point<dim>> nodes;
+          for (const Point<dim> &unit : places)
+            nodes.push_back(simplex->transform_unit_to_real_cell(cell, unit));
+          cells->add(nodes);
+        }
+      else
+        cells->add(nodes_on_manifolds.compute_mapping_support_points(cell));
     return cells;
   }
 

@@ -40,12 +40,12 @@ namespace stickslip
 
 
 
-    /// Moves all points of the body to where the expressions say.
+    /// Moves the vertices, and the nodes of degree 2 between them, to where the
+    /// expressions say.
     template <int dim>
     void
     reshape_body(const std::string &coordinates,
                  const std::string &parameter_path,
-                 const bool         only_vertices,
                  BodyMesh<dim>     &body)
     {
       const std::vector<std::string> expressions =
@@ -56,11 +56,11 @@ namespace stickslip
                         " expressions, expected " + std::to_string(dim) +
                         ", separated by ';'.");
 
-      const std::shared_ptr<const Function<dim>> new_coordinates =
+      const auto new_coordinates =
         parse_expressions<dim>(dim == 2 ? "x,y" : "x,y,z",
                                expressions,
                                parameter_path);
-      const auto move = [=](const Point<dim> &x) {
+      const auto move = [&](const Point<dim> &x) {
         Point<dim> moved;
         for (unsigned int d = 0; d < dim; ++d)
           {
@@ -73,19 +73,31 @@ namespace stickslip
         return moved;
       };
       const bool are_new = !body.curved_cells;
-      if (are_new && !only_vertices)
+      if (are_new)
         body.curved_cells = quadratic_cells_of(body.triangulation);
       // The generator's curves have no meaning on the new shape.
       body.triangulation.reset_all_manifolds();
       body.triangulation.set_all_manifold_ids(numbers::flat_manifold_id);
       GridTools::transform(move, body.triangulation);
-      if (!body.curved_cells)
-        return;
       body.curved_cells->transform(move);
+      if (!are_new)
+        {
+          check_curved_cells(*body.curved_cells, parameter_path);
+          return;
+        }
       // Straight cells are the better ones where they are the body.
-      if (are_new &&
-          has_straight_boundary(body.triangulation, *body.curved_cells))
+      if (has_straight_boundary(body.triangulation, *body.curved_cells))
         body.curved_cells.reset();
+      else if (cells_inside_out(*body.curved_cells).n_cells > 0)
+        {
+          body.curved_cells.reset();
+          body.warnings.push_back(
+            parameter_path +
+            " moves the points of a cell so differently "
+            "that its curved sides would turn it inside out: all cells stay "
+            "straight between their vertices. 'Refinements' makes smaller "
+            "cells before they are bent.");
+        }
     }
 
 
@@ -260,8 +272,7 @@ namespace stickslip
   make_body_mesh(const BodyParameters &parameters,
                  const std::string    &path,
                  MeshFiles            &files,
-                 const MeshSize       &size,
-                 const bool            only_vertices)
+                 const MeshSize       &size)
   {
     auto                body          = std::make_unique<BodyMesh<dim>>();
     Triangulation<dim> &triangulation = body->triangulation;
@@ -288,6 +299,7 @@ namespace stickslip
         triangulation,
         body->boundaries,
         materials);
+    body->has_nodes_between_vertices = body->curved_cells != nullptr;
     check_cell_types(triangulation, path);
 
     check_cell_shapes(triangulation, path);
@@ -306,13 +318,8 @@ namespace stickslip
     triangulation.refine_global(parameters.refinements);
     if (!parameters.coordinates.empty())
       {
-        reshape_body(parameters.coordinates,
-                     path + "/Coordinates",
-                     only_vertices && !parameters.simplices,
-                     *body);
+        reshape_body(parameters.coordinates, path + "/Coordinates", *body);
         check_cell_shapes(triangulation, path);
-        if (body->curved_cells)
-          check_curved_cells(*body->curved_cells, path);
         bend_sides(*body);
       }
     if (parameters.simplices)
@@ -346,12 +353,10 @@ namespace stickslip
   make_body_mesh<2>(const BodyParameters &,
                     const std::string &,
                     MeshFiles &,
-                    const MeshSize &,
-                    const bool);
+                    const MeshSize &);
   template std::unique_ptr<BodyMesh<3>>
   make_body_mesh<3>(const BodyParameters &,
                     const std::string &,
                     MeshFiles &,
-                    const MeshSize &,
-                    const bool);
+                    const MeshSize &);
 } // namespace stickslip

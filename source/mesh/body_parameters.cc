@@ -70,10 +70,11 @@ namespace stickslip
     prm.add_parameter(
       "Coordinates",
       coordinates,
-      "New coordinates of all points of the body, \"fx; fy\" or "
-      "\"fx; fy; fz\", as expressions of x, y, z, for grading "
-      "and shaping. If these bend the boundary, refined cells follow "
-      "them, with Degree = 2 the sides of cells, too.");
+      "New coordinates of the vertices, \"fx; fy\" or \"fx; fy; fz\", as "
+      "expressions of x, y, z, for grading and shaping, after the "
+      "Refinements of this body. If these bend the boundary, the sides of "
+      "cells are parabolas (Degree = 2), also of cells that are refined "
+      "later.");
     prm.add_parameter("Refinements",
                       refinements,
                       "Uniform refinements of this body alone, before the "

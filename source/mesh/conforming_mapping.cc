@@ -1,6 +1,7 @@
 #include <stickslip/mesh/conforming_mapping.h>
 
 #include <stickslip/mesh/curved_simplex_mapping.h>
+#include <stickslip/mesh/mapping_nodes.h>
 #include <stickslip/mesh/reference_cells.h>
 
 #include <deal.II/base/index_set.h>
@@ -10,7 +11,6 @@
 #include <deal.II/dofs/dof_tools.h>
 
 #include <deal.II/fe/fe_system.h>
-#include <deal.II/fe/mapping_q.h>
 #include <deal.II/fe/mapping_q_cache.h>
 
 #include <deal.II/lac/affine_constraints.h>
@@ -36,17 +36,6 @@ namespace stickslip
           return true;
       return false;
     }
-
-
-
-    /// Shows where MappingQ has its nodes.
-    template <int dim>
-    class MappingNodes : public MappingQ<dim>
-    {
-    public:
-      using MappingQ<dim>::MappingQ;
-      using MappingQ<dim>::compute_mapping_support_points;
-    };
 
 
 

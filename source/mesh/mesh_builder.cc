@@ -305,9 +305,6 @@ namespace stickslip
     // Tools, whose cell is but a place for their motion, go with any kind.
     double                       n_simplices = 0.;
     std::optional<ReferenceCell> simplices; // none
-    const bool                   only_vertices =
-      parameters.degree == 1 && parameters.global_refinements == 0 &&
-      parameters.refinements.empty() && parameters.later_refinement.empty();
     for (const bool tools : {false, true})
       for (auto [name, body] : body_parameters)
         {
@@ -317,12 +314,11 @@ namespace stickslip
             body.simplices = mesh.bodies.bodies.front().cells.is_simplex();
           const std::string path = "Bodies/" + name;
           body.check(path);
-          const auto body_mesh =
-            make_body_mesh<dim>(body, path, files, size, only_vertices);
+          const auto body_mesh = make_body_mesh<dim>(body, path, files, size);
           for (const std::string &warning : body_mesh->warnings)
             if (!warning.empty())
               mesh.warnings.push_back(warning);
-          if (body_mesh->curved_cells && body.generator.empty())
+          if (body_mesh->has_nodes_between_vertices)
             curved_bodies.push_back(name);
           append_body(name, body, *body_mesh, mesh.bodies, joined_mesh);
           const ReferenceCell cells = mesh.bodies.bodies.back().cells;

@@ -5,6 +5,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace stickslip
@@ -31,9 +32,6 @@ namespace stickslip
   QuadraticCells<dim>::transform(
     const std::function<Point<dim>(const Point<dim> &)> &map)
   {
-    Assert(!this->map, ExcMessage("Cells are moved once."));
-    this->map        = map;
-    nodes_before_map = nodes;
     for (Point<dim> &node : nodes)
       node = map(node);
   }
@@ -45,12 +43,10 @@ namespace stickslip
   QuadraticCells<dim>::position(const std::size_t cell,
                                 const Point<dim> &unit) const
   {
-    const Point<dim> *const of_cell =
-      (map ? nodes_before_map : nodes).data() + cell * fe->n_dofs_per_cell();
     Point<dim> x;
     for (unsigned int i = 0; i < fe->n_dofs_per_cell(); ++i)
-      x += fe->shape_value(i, unit) * Tensor<1, dim>(of_cell[i]);
-    return map ? map(x) : x;
+      x += fe->shape_value(i, unit) * Tensor<1, dim>(node(cell, i));
+    return x;
   }
 
 
@@ -136,22 +132,24 @@ namespace stickslip
                                           const Point<dim> &x,
                                           const Point<dim> &start) const
   {
-    // Beside a map the Jacobian is only near to the derivatives.
-    const unsigned int most_iterations = map ? 60 : 20;
-    constexpr double   smallest_step   = 1e-12;
-    constexpr double   far_away        = 2.;
-    constexpr double   outside         = 1e-6; // room for roundoff
+    constexpr unsigned int most_iterations = 20;
+    constexpr double       smallest_step   = 1e-12;
+    constexpr double       far_away        = 2.;
+    constexpr double       outside         = 1e-6; // room for roundoff
 
     Point<dim> unit = start;
     for (unsigned int iteration = 0; iteration < most_iterations; ++iteration)
       {
-        const Tensor<1, dim> step =
-          invert(jacobian(cell, gradients(unit))) * (x - position(cell, unit));
+        const Tensor<2, dim> inverse = invert(jacobian(cell, gradients(unit)));
+        const Tensor<1, dim> step    = inverse * (x - position(cell, unit));
+        // the cell may be far from the origin
+        const double roundoff = 8. * std::numeric_limits<double>::epsilon() *
+                                x.norm() * inverse.norm();
         unit += step;
         // also if it is no number, where the Jacobian is singular
         if (!(distance_to_unit_cell(fe->reference_cell(), unit) < far_away))
           return {};
-        if (step.norm() < smallest_step)
+        if (step.norm() < smallest_step + roundoff)
           {
             if (distance_to_unit_cell(fe->reference_cell(), unit) < outside)
               return unit;

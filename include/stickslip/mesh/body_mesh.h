@@ -32,9 +32,11 @@ namespace stickslip
   {
     Triangulation<dim>                   triangulation;
     std::shared_ptr<QuadraticCells<dim>> curved_cells;
-    LabelledIds                          boundaries;
-    std::vector<std::string>             materials;
-    std::vector<std::string>             warnings; ///< for the user
+    /// in the mesh file, and not where straight cells have them
+    bool                     has_nodes_between_vertices = false;
+    LabelledIds              boundaries;
+    std::vector<std::string> materials;
+    std::vector<std::string> warnings; ///< for the user
     std::map<types::manifold_id, std::unique_ptr<Manifold<dim, dim>>> manifolds;
   };
 
@@ -47,16 +49,14 @@ namespace stickslip
   /**
    * Generates or reads, shapes, refines, moves and marks one body. Collective
    * (mesh files). @p path is the body's subsection. @p size refuses
-   * what does not fit before it is made. @p only_vertices: nobody will ask
-   * where a point between the vertices is. Throws UserError on all ranks.
+   * what does not fit before it is made. Throws UserError on all ranks.
    */
   template <int dim>
   std::unique_ptr<BodyMesh<dim>>
   make_body_mesh(const BodyParameters &parameters,
                  const std::string    &path,
                  MeshFiles            &files,
-                 const MeshSize       &size,
-                 const bool            only_vertices);
+                 const MeshSize       &size);
 } // namespace stickslip
 
 #endif

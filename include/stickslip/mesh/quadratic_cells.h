@@ -20,9 +20,9 @@ namespace stickslip
 
   /**
    * The geometry of a body that was read from a mesh of the second order, or
-   * that a map has bent: each cell is the image of the unit cell under the
-   * polynomials of degree 2 (in each direction for quadrilaterals and
-   * hexahedra) that have its nodes, and what the map makes of it.
+   * that `Coordinates` has bent: each cell is the image of the unit cell under
+   * the polynomials of degree 2 (in each direction for quadrilaterals and
+   * hexahedra) that have its nodes.
    *
    * It knows nothing of triangulations, and its cells stay what they are when
    * those of a triangulation are refined. All cells are kept on each rank, as
@@ -57,8 +57,7 @@ namespace stickslip
       return nodes[cell * fe->n_dofs_per_cell() + i];
     }
 
-    /// Moves all points of all cells, once. The polynomials of the moved nodes
-    /// are then near to the cells, not the same (jacobian(), box()).
+    /// Moves all nodes.
     void
     transform(const std::function<Point<dim>(const Point<dim> &)> &map);
 
@@ -72,7 +71,7 @@ namespace stickslip
     gradients(const Point<dim> &unit) const;
 
     /// The derivatives of position() where the shape functions have these
-    /// gradients: jacobian[i][j] = dx_i / dunit_j. Of the polynomials.
+    /// gradients: jacobian[i][j] = dx_i / dunit_j.
     Tensor<2, dim>
     jacobian(const std::size_t                  cell,
              const std::vector<Tensor<1, dim>> &gradients) const;
@@ -93,12 +92,8 @@ namespace stickslip
     box(const std::size_t cell) const;
 
   private:
-    using Map = std::function<Point<dim>(const Point<dim> &)>;
-
     std::unique_ptr<FiniteElement<dim>> fe;
-    std::vector<Point<dim>>             nodes;            ///< cell after cell
-    std::vector<Point<dim>>             nodes_before_map; ///< if there is one
-    Map                                 map;
+    std::vector<Point<dim>>             nodes; ///< cell after cell
 
     unsigned int
     nearest_node(const std::size_t cell, const Point<dim> &x) const;

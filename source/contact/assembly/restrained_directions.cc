@@ -41,6 +41,11 @@ namespace stickslip
 
 
 
+    /// Of a hanging node at least one over this acts on one free node.
+    constexpr double parents_of_hanging_node = 4.;
+
+
+
     template <int dim>
     double
     negligible_mobility(const ContactPair<dim> &pair)
@@ -109,7 +114,9 @@ namespace stickslip
       if (pairing.paired)
         {
           pair.patch->evaluate_values(pairing.chart, pairing.xi, master_shape);
-          leave_out_negligible(negligible_mobility(pair), master_shape);
+          leave_out_negligible(parents_of_hanging_node *
+                                 negligible_mobility(pair),
+                               master_shape);
           add(pair.patch->face(pairing.face).dofs, master_shape, -1.);
           const auto &now = pair.patch->configuration(pairing.face).positions;
           const auto &old =
