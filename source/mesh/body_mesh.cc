@@ -46,7 +46,6 @@ namespace stickslip
     void
     reshape_body(const std::string &coordinates,
                  const std::string &parameter_path,
-                 const bool         has_use_for_curves,
                  BodyMesh<dim>     &body)
     {
       const std::vector<std::string> expressions =
@@ -74,14 +73,12 @@ namespace stickslip
         return moved;
       };
       const bool are_new = !body.curved_cells;
-      if (are_new && has_use_for_curves)
+      if (are_new)
         body.curved_cells = quadratic_cells_of(body.triangulation);
       // The generator's curves have no meaning on the new shape.
       body.triangulation.reset_all_manifolds();
       body.triangulation.set_all_manifold_ids(numbers::flat_manifold_id);
       GridTools::transform(move, body.triangulation);
-      if (!body.curved_cells)
-        return;
       body.curved_cells->transform(move);
       if (!are_new)
         {
@@ -275,8 +272,7 @@ namespace stickslip
   make_body_mesh(const BodyParameters &parameters,
                  const std::string    &path,
                  MeshFiles            &files,
-                 const MeshSize       &size,
-                 const bool            has_use_for_curves)
+                 const MeshSize       &size)
   {
     auto                body          = std::make_unique<BodyMesh<dim>>();
     Triangulation<dim> &triangulation = body->triangulation;
@@ -322,10 +318,7 @@ namespace stickslip
     triangulation.refine_global(parameters.refinements);
     if (!parameters.coordinates.empty())
       {
-        reshape_body(parameters.coordinates,
-                     path + "/Coordinates",
-                     has_use_for_curves || parameters.simplices,
-                     *body);
+        reshape_body(parameters.coordinates, path + "/Coordinates", *body);
         check_cell_shapes(triangulation, path);
         bend_sides(*body);
       }
@@ -360,12 +353,10 @@ namespace stickslip
   make_body_mesh<2>(const BodyParameters &,
                     const std::string &,
                     MeshFiles &,
-                    const MeshSize &,
-                    const bool);
+                    const MeshSize &);
   template std::unique_ptr<BodyMesh<3>>
   make_body_mesh<3>(const BodyParameters &,
                     const std::string &,
                     MeshFiles &,
-                    const MeshSize &,
-                    const bool);
+                    const MeshSize &);
 } // namespace stickslip

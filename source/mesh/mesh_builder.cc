@@ -305,10 +305,6 @@ namespace stickslip
     // Tools, whose cell is but a place for their motion, go with any kind.
     double                       n_simplices = 0.;
     std::optional<ReferenceCell> simplices; // none
-    const bool                   has_use_for_curves =
-      parameters.degree > 1 || parameters.global_refinements > 0 ||
-      !parameters.refinements.empty() || !parameters.later_refinement.empty() ||
-      parameters.goes_on;
     for (const bool tools : {false, true})
       for (auto [name, body] : body_parameters)
         {
@@ -318,8 +314,7 @@ namespace stickslip
             body.simplices = mesh.bodies.bodies.front().cells.is_simplex();
           const std::string path = "Bodies/" + name;
           body.check(path);
-          const auto body_mesh =
-            make_body_mesh<dim>(body, path, files, size, has_use_for_curves);
+          const auto body_mesh = make_body_mesh<dim>(body, path, files, size);
           for (const std::string &warning : body_mesh->warnings)
             if (!warning.empty())
               mesh.warnings.push_back(warning);

@@ -49,17 +49,14 @@ namespace stickslip
   /**
    * Generates or reads, shapes, refines, moves and marks one body. Collective
    * (mesh files). @p path is the body's subsection. @p size refuses
-   * what does not fit before it is made. @p has_use_for_curves: of the
-   * displacements' degree or refinement, beside those of the body. Throws
-   * UserError on all ranks.
+   * what does not fit before it is made. Throws UserError on all ranks.
    */
   template <int dim>
   std::unique_ptr<BodyMesh<dim>>
   make_body_mesh(const BodyParameters &parameters,
                  const std::string    &path,
                  MeshFiles            &files,
-                 const MeshSize       &size,
-                 const bool            has_use_for_curves);
+                 const MeshSize       &size);
 } // namespace stickslip
 
 #endif

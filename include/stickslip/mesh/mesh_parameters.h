@@ -53,10 +53,6 @@ namespace stickslip
     /// caller).
     std::string later_refinement;
 
-    /// A run goes on from a checkpoint, whose cells may be refined ones (set by
-    /// the caller).
-    bool goes_on = false;
-
     void
     add_parameters(ParameterHandler &prm);
   };
