@@ -18,10 +18,10 @@ namespace stickslip
   quadratic_cells_of(const Triangulation<dim> &triangulation);
 
   /**
-   * Whether the body of @p cells, which are the active cells of @p triangulation
-   * (quadrilaterals or hexahedra), has the boundary that straight cells between
-   * their vertices have, to roundoff. Where points lie along it does not
-   * matter.
+   * Whether the body of @p cells, which are the active cells of
+   * @p triangulation in their order, has the boundary that straight cells
+   * between their vertices have, to roundoff. Where points lie along it does
+   * not matter.
    */
   template <int dim>
   bool
