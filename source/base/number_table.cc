@@ -1,7 +1,11 @@
 #include <stickslip/base/number_table.h>
 #include <stickslip/base/user_error.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
+
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
 
 #include <algorithm>
 #include <filesystem>

@@ -6,6 +6,8 @@
 #include <stickslip/simulation/accepted_state.h>
 #include <stickslip/simulation/discretization.h>
 
+#include <deal.II/distributed/tria.h>
+
 #include <memory>
 #include <vector>
 
