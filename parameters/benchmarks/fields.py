@@ -5,9 +5,10 @@
     surface["pressure"]               # (n,) or (n, components)
     x, p = surface.along_line("pressure")
 
-Needs the Debian package python3-vtk9. Quadrilaterals (linear, quadratic Lagrange)
-and the subdivided lines of contact surfaces.
+Needs the Debian package python3-vtk9. Lines, quadrilaterals, hexahedra (linear,
+quadratic Lagrange) and the subdivided faces of contact surfaces.
 """
+import functools
 import pathlib
 import sys
 
@@ -16,7 +17,7 @@ import numpy
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
 from stickslip import FieldStep
 
-VTK_LINE = 3
+VTK_LINE, VTK_QUAD = 3, 9
 
 
 def _gauss(n):
@@ -34,8 +35,18 @@ def _shape_1d(degree, x):
     return numpy.array(values), numpy.array([4 * x - 3, 4 * x - 1, 4 - 8 * x])
 
 
-# VTK's nodes of a quadrilateral as pairs of 1D nodes (0, 1 ends, 2 middle).
-_QUADRILATERAL = [(0, 0), (1, 0), (1, 1), (0, 1), (2, 0), (1, 2), (2, 1), (0, 2), (2, 2)]
+# Nodes of VTK's cells as tuples of 1D nodes (0, 1 ends, 2 middle), by number of directions.
+_ENDS = [(0, 0), (1, 0), (1, 1), (0, 1)]
+_SIDES = [(2, 0), (1, 2), (2, 1), (0, 2)]
+_NODES = {
+    1: [(0,), (1,), (2,)],
+    2: _ENDS + _SIDES + [(2, 2)],
+    3: [(*end, z) for z in (0, 1) for end in _ENDS]  # vertices; edges below, above, upright; faces; centre
+    + [(*side, z) for z in (0, 1) for side in _SIDES] + [(*end, 2) for end in _ENDS]
+    + [(0, 2, 2), (1, 2, 2), (2, 0, 2), (2, 1, 2), (2, 2, 0), (2, 2, 1), (2, 2, 2)],
+}
+# (Directions, degree) of a cell by its number of nodes, for lines, quadrilaterals and hexahedra.
+_KINDS = {(degree + 1) ** n: (n, degree) for n in (1, 2, 3) for degree in (1, 2)}
 
 
 class Fields:
@@ -57,46 +68,36 @@ class Fields:
     def in_body(self, index):
         return Fields(self.points, self.cells[self["body"][self.cells[:, 0]].round() == index], self.point_data)
 
-    # -------------------------------------------------------------- 2D cells
     def integrate(self, integrand, n_points=4):
         """
-        Integral over the quadrilaterals of integrand(x, value, gradient):
-        x (m, 2), and functions value(NAME) (m, ...), gradient(NAME) (m, ...,
-        2) at m quadrature points.
+        Integral over the cells (lines, quadrilaterals, hexahedra, in the plane or
+        in space) of integrand(x, value, gradient): x (m, space), and functions
+        value(NAME) (m, ...), gradient(NAME) (m, ..., space) at m quadrature points;
+        gradients of surfaces are tangential.
         """
-        degree = {4: 1, 9: 2}[self.cells.shape[1]]
+        directions, degree = _KINDS[self.cells.shape[1]]
+        space = 3 if self.points[:, 2].any() else 2
         x1, w1 = _gauss(n_points)
         value_1d, slope_1d = _shape_1d(degree, x1)
-        nodes = _QUADRILATERAL[: self.cells.shape[1]]
-        values = numpy.array([numpy.outer(value_1d[i], value_1d[j]).ravel() for i, j in nodes])
-        slopes = numpy.array([[numpy.outer(slope_1d[i], value_1d[j]).ravel(), numpy.outer(value_1d[i], slope_1d[j]).ravel()]
-                              for i, j in nodes])
-        corners = self.points[self.cells][:, :, :2]
+        product = lambda factors: functools.reduce(numpy.multiply.outer, factors).ravel()
+        factors = lambda node, d: [(slope_1d if e == d else value_1d)[i] for e, i in enumerate(node)]
+        nodes = _NODES[directions][: self.cells.shape[1]]
+        values = numpy.array([product(factors(node, None)) for node in nodes])
+        slopes = numpy.array([[product(factors(node, d)) for d in range(directions)] for node in nodes])
+        corners = self.points[self.cells][:, :, :space]
         x = numpy.einsum("cnd,nq->cqd", corners, values)
         jacobian = numpy.einsum("cnd,neq->cqde", corners, slopes)
-        weight = abs(numpy.linalg.det(jacobian)) * numpy.outer(w1, w1).ravel()
-        inverse = numpy.linalg.inv(jacobian)
+        metric = numpy.einsum("cqde,cqdf->cqef", jacobian, jacobian)
+        weight = numpy.sqrt(numpy.linalg.det(metric)) * product([w1] * directions)
         merge = lambda field: field.reshape((-1,) + field.shape[2:])
 
         def value(name):
             return merge(numpy.einsum("cn...,nq->cq...", self[name][self.cells], values))
 
         def gradient(name):
-            return merge(numpy.einsum("cn...,neq,cqed->cq...d", self[name][self.cells], slopes, inverse))
+            return merge(numpy.einsum("cn...,neq,cqed->cq...d", self[name][self.cells], slopes, numpy.linalg.pinv(jacobian)))
 
         return float(numpy.sum(integrand(merge(x), value, gradient) * weight.ravel()))
-
-    # ------------------------------------------------------------- 1D cells
-    def integrate_line(self, integrand, names, n_points=6):
-        """Integral over line cells of integrand(x, *values of NAMES)."""
-        degree = {2: 1, 3: 2}[self.cells.shape[1]]
-        x1, w1 = _gauss(n_points)
-        values, slopes = _shape_1d(degree, x1)
-        corners = self.points[self.cells][:, :, :2]
-        x = numpy.einsum("cnd,nq->cqd", corners, values)
-        length = numpy.linalg.norm(numpy.einsum("cnd,nq->cqd", corners, slopes), axis=-1)
-        fields = [numpy.einsum("cn,nq->cq", self[name][self.cells], values).ravel() for name in names]
-        return float(numpy.sum(integrand(x.reshape(-1, 2), *fields) * (length * w1).ravel()))
 
     def along_line(self, name, coordinate=None):
         """Values at the vertices of line cells, sorted by x (or coordinate(points)); doubles dropped."""
@@ -116,10 +117,13 @@ def read_fields(path):
         # A mixed file has rigid or linear cells beside others: by number of nodes.
         raise SystemExit(f"{path} mixes cells of different kinds.")
     kind, cells = grid.cells[0]
+    # A face of degree k is written as parts with points of its own: one cell of degree k again.
     if kind == VTK_LINE:
-        # A face of degree k is written as k lines with points of its own: one cell of degree k again.
         n_faces = len(grid.points) - len(cells)
         degree = len(cells) // n_faces
         first = numpy.arange(n_faces)[:, None] * (degree + 1)
         cells = first + numpy.array([0, degree, *range(1, degree)])
+    elif kind == VTK_QUAD and 4 * len(grid.points) == 9 * len(cells):
+        first = numpy.arange(len(cells) // 4)[:, None] * 9
+        cells = first + numpy.array([0, 2, 8, 6, 1, 5, 7, 3, 4])
     return Fields(grid.points, cells, grid.point_data)

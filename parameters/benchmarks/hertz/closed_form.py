@@ -81,12 +81,50 @@ class RingOnDisc:
                             radial * numpy.sin(theta) + hoop * numpy.cos(theta)], axis=1)
 
     def gradient(self, x, in_ring):
-        """(m, 2, 2), by central differences of fourth order."""
-        step = 1e-4
-        columns = []
-        for d in range(2):
-            shift = numpy.zeros(2)
-            shift[d] = step
-            u = [self.displacement(x + n * shift, in_ring) for n in (-2, -1, 1, 2)]
-            columns.append((u[0] - 8 * u[1] + 8 * u[2] - u[3]) / (12 * step))
-        return numpy.stack(columns, axis=2)
+        """(m, 2, 2)"""
+        return differences(lambda y: self.displacement(y, in_ring), x)
+
+
+class Spheres:
+    """
+    A shell interface < r < outer on a hollow core inner < r < interface, without
+    friction, under the pressure p at r = outer (Lame): in each of them u_r = A r +
+    B/r^2 and sigma_rr = E A/(1 - 2 nu) - 2 E B/((1 + nu) r^3).
+    """
+
+    def __init__(self, inner, interface, outer, young_inside, young_outside, poisson, pressure):
+        def stress(young, r):
+            return young * numpy.array([1 / (1 - 2 * poisson), -2 / ((1 + poisson) * r**3)])
+
+        def both(inside, outside):
+            return numpy.concatenate([inside, outside])
+
+        motion, nothing = numpy.array([interface, interface**-2]), numpy.zeros(2)
+        matrix = numpy.array([both(stress(young_inside, inner), nothing), both(nothing, stress(young_outside, outer)),
+                              both(motion, -motion),
+                              both(stress(young_inside, interface), -stress(young_outside, interface))])
+        scale = abs(matrix).max(axis=1)
+        constants = numpy.linalg.solve(matrix / scale[:, None], numpy.array([0, -pressure, 0, 0]) / scale)
+        self.inside, self.outside = constants[:2], constants[2:]
+        self.interface_pressure = -stress(young_inside, interface) @ self.inside
+
+    def contact_pressure(self, x):
+        return numpy.full(len(x), self.interface_pressure)
+
+    def displacement(self, x, outside):
+        """(m, 3) at the points x (m, 3)."""
+        a, b = self.outside if outside else self.inside
+        return x * (a + b / numpy.linalg.norm(x, axis=1, keepdims=True) ** 3)
+
+    def gradient(self, x, outside):
+        """(m, 3, 3)"""
+        return differences(lambda y: self.displacement(y, outside), x)
+
+
+def differences(field, x, step=1e-4):
+    """Gradient of field at x (m, n) by central differences of fourth order: (m, components, n)."""
+    columns = []
+    for shift in step * numpy.eye(x.shape[1]):
+        u = [field(x + n * shift) for n in (-2, -1, 1, 2)]
+        columns.append((u[0] - 8 * u[1] + 8 * u[2] - u[3]) / (12 * step))
+    return numpy.stack(columns, axis=2)
