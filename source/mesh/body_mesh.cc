@@ -46,6 +46,7 @@ namespace stickslip
     void
     reshape_body(const std::string &coordinates,
                  const std::string &parameter_path,
+                 const bool         has_use_for_curves,
                  BodyMesh<dim>     &body)
     {
       const std::vector<std::string> expressions =
@@ -73,12 +74,14 @@ namespace stickslip
         return moved;
       };
       const bool are_new = !body.curved_cells;
-      if (are_new)
+      if (are_new && has_use_for_curves)
         body.curved_cells = quadratic_cells_of(body.triangulation);
       // The generator's curves have no meaning on the new shape.
       body.triangulation.reset_all_manifolds();
       body.triangulation.set_all_manifold_ids(numbers::flat_manifold_id);
       GridTools::transform(move, body.triangulation);
+      if (!body.curved_cells)
+        return;
       body.curved_cells->transform(move);
       if (!are_new)
         {
@@ -271,6 +274,7 @@ namespace stickslip
   std::unique_ptr<BodyMesh<dim>>
   make_body_mesh(const BodyParameters &parameters,
                  const std::string    &path,
+                 const MeshParameters &mesh,
                  MeshFiles            &files,
                  const MeshSize       &size)
   {
@@ -318,7 +322,10 @@ namespace stickslip
     triangulation.refine_global(parameters.refinements);
     if (!parameters.coordinates.empty())
       {
-        reshape_body(parameters.coordinates, path + "/Coordinates", *body);
+        reshape_body(parameters.coordinates,
+                     path + "/Coordinates",
+                     mesh.has_use_for_curves() || parameters.simplices,
+                     *body);
         check_cell_shapes(triangulation, path);
         bend_sides(*body);
       }
@@ -352,11 +359,13 @@ namespace stickslip
   template std::unique_ptr<BodyMesh<2>>
   make_body_mesh<2>(const BodyParameters &,
                     const std::string &,
+                    const MeshParameters &,
                     MeshFiles &,
                     const MeshSize &);
   template std::unique_ptr<BodyMesh<3>>
   make_body_mesh<3>(const BodyParameters &,
                     const std::string &,
+                    const MeshParameters &,
                     MeshFiles &,
                     const MeshSize &);
 } // namespace stickslip

@@ -314,7 +314,8 @@ namespace stickslip
             body.simplices = mesh.bodies.bodies.front().cells.is_simplex();
           const std::string path = "Bodies/" + name;
           body.check(path);
-          const auto body_mesh = make_body_mesh<dim>(body, path, files, size);
+          const auto body_mesh =
+            make_body_mesh<dim>(body, path, parameters, files, size);
           for (const std::string &warning : body_mesh->warnings)
             if (!warning.empty())
               mesh.warnings.push_back(warning);

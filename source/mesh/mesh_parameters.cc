@@ -15,6 +15,15 @@ namespace stickslip
 
 
 
+  bool
+  MeshParameters::has_use_for_curves() const
+  {
+    return degree > 1 || global_refinements > 0 || !refinements.empty() ||
+           !later_refinement.empty() || goes_on;
+  }
+
+
+
   void
   MeshParameters::add_parameters(ParameterHandler &prm)
   {

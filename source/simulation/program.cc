@@ -106,6 +106,7 @@ namespace stickslip
           catch_stop_signals();
           prepare_output_directory(parameters.output.directory, MPI_COMM_WORLD);
         }
+      parameters.mesh.goes_on = !command_line.restart.empty();
       Simulation<dim> simulation(parameters, MPI_COMM_WORLD);
       if (is_validation)
         {

@@ -77,7 +77,7 @@ namespace
                   const std::string &height, ///< of the upper side
                   const bool         both_sides = false,
                   const double       amplitude  = 0.) ///< of displacements
-      : mesh(make_mesh(height))
+      : mesh(make_mesh(height, degree))
       , dofs(*mesh.triangulation, degree)
       , shape(degree)
       , amplitude(amplitude)
@@ -258,15 +258,17 @@ namespace
     };
 
     static Mesh<dim>
-    make_mesh(const std::string &height)
+    make_mesh(const std::string &height, const unsigned int degree)
     {
+      MeshParameters parameters;
+      parameters.degree = degree;
       BodyParameters ground;
       ground.generator = "subdivided_hyper_rectangle";
       ground.arguments =
         dim == 2 ? "8,2 : 0,0 : 4,1 : true" : "4,1,4 : 0,0,0 : 2,1,2 : true";
       ground.coordinates = "x; y*(" + height + ")" + (dim == 3 ? "; z" : "");
       ground.material    = "steel";
-      return build_mesh<dim>(MeshParameters(),
+      return build_mesh<dim>(parameters,
                              {{"ground", ground}},
                              {},
                              MPI_COMM_WORLD);

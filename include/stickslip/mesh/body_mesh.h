@@ -3,6 +3,7 @@
 
 #include <stickslip/mesh/body_parameters.h>
 #include <stickslip/mesh/labelled_ids.h>
+#include <stickslip/mesh/mesh_parameters.h>
 #include <stickslip/mesh/mesh_reader.h>
 #include <stickslip/mesh/mesh_size.h>
 #include <stickslip/mesh/quadratic_cells.h>
@@ -55,6 +56,7 @@ namespace stickslip
   std::unique_ptr<BodyMesh<dim>>
   make_body_mesh(const BodyParameters &parameters,
                  const std::string    &path,
+                 const MeshParameters &mesh,
                  MeshFiles            &files,
                  const MeshSize       &size);
 } // namespace stickslip

@@ -53,6 +53,15 @@ namespace stickslip
     /// caller).
     std::string later_refinement;
 
+    /// A run goes on from a checkpoint, whose cells may be refined ones (set by
+    /// the caller).
+    bool goes_on = false;
+
+    /// Whether anything may ask where the sides of a cell are between its
+    /// vertices: displacements of degree 2, cells that are refined.
+    bool
+    has_use_for_curves() const;
+
     void
     add_parameters(ParameterHandler &prm);
   };
