@@ -16,34 +16,6 @@ namespace stickslip
 
 
 
-    /// Points per direction that are exact for products of two shape functions:
-    /// they have degree 2 p along a line and on triangles, and 4 p in a plane.
-    /// The radius of a body of revolution adds one degree to them, and one to
-    /// where the points are opposite, in the derivatives.
-    template <int dim>
-    unsigned int
-    exact_order(const FaceShape<dim> &slave,
-                const FaceShape<dim> &master,
-                const CrossSection   &cross_section)
-    {
-      const unsigned int p = slave.degree();
-      if (cross_section.is_axisymmetric)
-        return p + 2;
-      const bool are_triangles = slave.is_triangle() && master.is_triangle();
-      return dim == 2 || are_triangles ? p + 1 : 2 * p + 1;
-    }
-
-
-
-    template <int dim>
-    bool
-    is_quadratic_triangle(const FaceShape<dim> &shape)
-    {
-      return shape.is_triangle() && shape.degree() > 1;
-    }
-
-
-
     /// The area of the undeformed body per parametric area where a face with
     /// these nodes has the shape functions @p values.
     template <int dim>
@@ -55,37 +27,6 @@ namespace stickslip
       return surface_normal<dim>(surface_tangents<dim>(values.gradient, nodes))
                .norm() *
              cross_section.circumference(interpolate<dim>(values.value, nodes));
-    }
-
-
-
-    template <int dim>
-    Quadrature<dim - 1>
-    simplex_quadrature(const unsigned int order, const unsigned int wanted)
-    {
-      constexpr unsigned int largest = 7; // that deal.II has for triangles
-      if constexpr (dim == 2)
-        return QGauss<1>(std::max(order, wanted));
-      else
-        return QWitherdenVincentSimplex<2>(
-          std::min(largest, std::max(order, wanted)));
-    }
-
-
-
-    /// True for intervals, triangles and what is nearly a parallelogram: the
-    /// exact rules for these leave errors of the square of the tolerance.
-    template <int facedim>
-    bool
-    is_affine(const ConvexCell<facedim> &cell)
-    {
-      constexpr double tolerance = 1e-5; // of a diagonal
-      if constexpr (facedim == 1)
-        return true;
-      else
-        return cell.size() == 3 ||
-               ((cell[0] - cell[1]) + (cell[2] - cell[3])).norm() <
-                 tolerance * (cell[2] - cell[0]).norm();
     }
 
 
@@ -183,12 +124,7 @@ namespace stickslip
     : slave_shape(slave_shape)
     , master_shape(master_shape)
     , cross_section(cross_section)
-    , exact_rule(simplex_quadrature<dim>(
-        exact_order<dim>(slave_shape, master_shape, cross_section),
-        order))
-    , other_rule(simplex_quadrature<dim>(
-        exact_order<dim>(slave_shape, master_shape, cross_section) + 2,
-        order))
+    , quadrature(slave_shape, master_shape, order, cross_section)
     , edge_rule(QGauss<dim - 2>(2 * slave_shape.degree() + 1))
   {}
 
@@ -248,61 +184,86 @@ namespace stickslip
                                                    slave_shape.n_nodes());
     FaceShapeValues<dim>              values;
     double                            area_ratio;
+    // a point that is done but for what is opposite and its weight per area
+    const auto add_point = [&](const Point<dim - 1>     &p,
+                               const ParametricMap<dim> &on_master,
+                               SegmentPoint<dim>         point) {
+      FaceShapeValues<dim> master_values;
+      double               area_ratio;
+      point.master = master;
+      point.eta    = on_master.at(p);
+      if (!find_above(master_shape,
+                      p,
+                      plane,
+                      opposite.positions,
+                      point.eta,
+                      master_values,
+                      area_ratio))
+        return;
+      point.weight *= undeformed_area(values, undeformed, cross_section);
+      points.push_back(point);
+    };
     for (unsigned int i = 0; i < slave.projected.cells.size(); ++i)
       for (unsigned int j = 0; j < opposite.projected.cells.size(); ++j)
         {
-          const auto &cell       = slave.projected.cells[i];
-          const auto &other      = opposite.projected.cells[j];
-          const auto &quadrature = is_affine<dim - 1>(cell) &&
-                                       is_affine<dim - 1>(other) &&
-                                       !is_quadratic_triangle(slave_shape) &&
-                                       !is_quadratic_triangle(master_shape)
-                                     ? exact_rule
-                                     : other_rule;
-          const auto  overlap =
-            simplices<dim - 1>(intersection<dim - 1>(cell, other));
+          const auto &cell    = slave.projected.cells[i];
+          const auto  overlap = simplices<dim - 1>(
+            intersection<dim - 1>(cell, opposite.projected.cells[j]));
           if (overlap.empty())
             continue;
+          const Quadrature<dim - 1> &rule =
+            quadrature.rule(slave.projected, i, opposite.projected, j);
           const double smallest = negligible_segment * measure<dim - 1>(cell);
           const ParametricMap<dim> on_slave(slave_shape, slave.projected, i);
           const ParametricMap<dim> on_master(master_shape,
                                              opposite.projected,
                                              j);
+          const auto               find_on_slave = [&](const Point<dim - 1> &p,
+                                         SegmentPoint<dim>    &point) {
+            point.xi = on_slave.at(p);
+            return find_above(slave_shape,
+                              p,
+                              plane,
+                              slave.positions,
+                              point.xi,
+                              values,
+                              area_ratio);
+          };
           for (const auto &simplex : overlap)
             {
               const double area = measure<dim - 1>(simplex);
               if (area <= smallest)
                 continue;
+              SegmentPoint<dim> begin, end;
+              const bool        is_parametric = quadrature.is_parametric();
+              if (is_parametric && !(find_on_slave(simplex[0], begin) &&
+                                     find_on_slave(simplex[1], end)))
+                continue;
               // the rule is for a simplex of measure 1 / (dim-1)!
               const double scale = (dim == 3 ? 2. : 1.) * area;
-              for (unsigned int q = 0; q < quadrature.size(); ++q)
+              for (unsigned int q = 0; q < rule.size(); ++q)
                 {
-                  Point<dim - 1> p = simplex[0];
-                  for (unsigned int d = 0; d < dim - 1; ++d)
-                    p += quadrature.point(q)[d] * (simplex[d + 1] - simplex[0]);
                   SegmentPoint<dim> point;
-                  point.master = master;
-                  point.xi     = on_slave.at(p);
-                  point.eta    = on_master.at(p);
-                  if (!find_above(master_shape,
-                                  p,
-                                  plane,
-                                  opposite.positions,
-                                  point.eta,
-                                  values,
-                                  area_ratio) ||
-                      !find_above(slave_shape,
-                                  p,
-                                  plane,
-                                  slave.positions,
-                                  point.xi,
-                                  values,
-                                  area_ratio))
-                    continue;
-                  point.weight =
-                    quadrature.weight(q) * scale / area_ratio *
-                    undeformed_area(values, undeformed, cross_section);
-                  points.push_back(point);
+                  Point<dim - 1>    p = simplex[0];
+                  if (is_parametric)
+                    {
+                      point.xi =
+                        begin.xi + rule.point(q)[0] * (end.xi - begin.xi);
+                      slave_shape.evaluate_gradients(point.xi, values);
+                      p = plane.coordinates(
+                        interpolate<dim>(values.value, slave.positions));
+                      point.weight =
+                        rule.weight(q) * (end.xi - begin.xi).norm();
+                    }
+                  else
+                    {
+                      for (unsigned int d = 0; d < dim - 1; ++d)
+                        p += rule.point(q)[d] * (simplex[d + 1] - simplex[0]);
+                      if (!find_on_slave(p, point))
+                        continue;
+                      point.weight = rule.weight(q) * scale / area_ratio;
+                    }
+                  add_point(p, on_master, point);
                 }
             }
         }

@@ -1,9 +1,7 @@
 #ifndef stickslip_contact_surface_mortar_segments_h
 #define stickslip_contact_surface_mortar_segments_h
 
-#include <stickslip/contact/surface/projected_face.h>
-
-#include <stickslip/mesh/cross_section.h>
+#include <stickslip/contact/surface/segment_quadrature.h>
 
 #include <deal.II/base/quadrature.h>
 
@@ -48,11 +46,8 @@ namespace stickslip
   /**
    * Integration over the intersection of a slave face with a master face, both
    * projected on the plane of the slave face: polygons that are cut into
-   * triangles (2D: intervals). Exact for products of two shape functions where
-   * both faces are parallelograms or straight triangles; of a higher order
-   * where they are not, as the shape functions then are no polynomials in the
-   * plane. Areas are those of the body of revolution, if the model is a section
-   * of one.
+   * triangles (2D: intervals). Areas are those of the body of revolution, if
+   * the model is a section of one.
    */
   template <int dim>
   class SegmentRule
@@ -105,13 +100,11 @@ namespace stickslip
     }
 
   private:
-    const FaceShape<dim> slave_shape;
-    const FaceShape<dim> master_shape;
-    const CrossSection   cross_section;
-    Quadrature<dim - 1>
-      exact_rule; ///< for parallelograms and straight triangles
-    Quadrature<dim - 1> other_rule;
-    Quadrature<dim - 2> edge_rule;
+    const FaceShape<dim>         slave_shape;
+    const FaceShape<dim>         master_shape;
+    const CrossSection           cross_section;
+    const SegmentQuadrature<dim> quadrature;
+    const Quadrature<dim - 2>    edge_rule;
 
     /// Parametric coordinates of the point of a face above @p p, from a first
     /// guess; false if there is none.
