@@ -149,6 +149,12 @@ CASES = {
     "bodies far from each other": (
         "floating_blocks.prm", blocks_held("Translation = 0, 9, 0") + section("Output", "Verbosity = progress"),
         0, ["0 of 3 points of 'upper' have 'lower' opposite", "can hardly meet", "9 apart"]),
+    "a press fit of facets that do not match": (
+        "press_fit.prm", "", 0, ["Warning: contact pair 'fit': the cells do not match", "'Degree = 2' follows"]),
+    "a body that turns, with a law of small strains": (
+        "floating_blocks.prm", "".join(condition(body, boundary, "Value = x*(cos(0.2*t) - 1) - y*sin(0.2*t); x*sin(0.2*t) + y*(cos(0.2*t) - 1)")
+                                       for body, boundary in (("lower", 2), ("upper", 3))) + section("Output", "Verbosity = progress"),
+        0, ["Warning: body 'lower' has turned by 11 degrees", "'Materials/elastic/Law = linear elastic'"]),
     "a pair with slave and master exchanged": (
         "floating_blocks.prm", blocks_held("Translation = 0, 0.3, 0") + section("Output", "Verbosity = progress")
         + interface("Slave body = lower", "Slave boundary = 3", "Master body = upper", "Master boundary = 2", name="twice"),

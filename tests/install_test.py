@@ -9,6 +9,7 @@ Debian package holds a program that runs.
 """
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -45,7 +46,9 @@ def check_program(prefix):
 
 def check_library(prefix):
     texts = {file: file.read_text() for file in (prefix / "lib").rglob("*.cmake")}
-    check(texts and not any(str(place) in text for text in texts.values() for place in (source, build, working)),
+    # not within a longer path: the project's directory may be /stickslip
+    places = re.compile("|".join(rf"(?<![\w.${{}}/-]){re.escape(str(place))}(?![\w-])" for place in (source, build, working)))
+    check(texts and not any(places.search(text) for text in texts.values()),
           "no file of the package names a directory of this machine")
     project = working / "own_law"
     shutil.copytree(source / "tests" / "own_law", project)

@@ -152,6 +152,12 @@ namespace stickslip
     for (unsigned int i = 0; i < values.size(); ++i)
       {
         const GeneratorArgument &argument = generator.arguments[i];
+        const std::string       &missing =
+          dim == 2 ? argument.default_2d : argument.default_3d;
+        if (missing == "none" && values[i] != "none")
+          throw UserError(path + ": '" + generator.name + "' has '" +
+                          argument.name + "' only in " +
+                          (dim == 2 ? "3D" : "2D") + ".");
         check_directions(generator, argument, values[i], dim, path);
         if (argument.name.find("positions") == std::string::npos)
           for (const auto &number :

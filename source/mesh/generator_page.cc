@@ -78,10 +78,12 @@ namespace stickslip
       for (; n < generator.arguments.size(); ++n)
         {
           const GeneratorArgument &argument = generator.arguments[n];
-          text +=
-            (text.empty() ? "" : " : ") + (argument.name == "colorize" ? "true"
-                                           : dim == 2 ? argument.default_2d
-                                                      : argument.default_3d);
+          const std::string       &value =
+            dim == 2 ? argument.default_2d : argument.default_3d;
+          if (value != "none")
+            text += (text.empty() ? "" : " : ") +
+                    (value == "false" && argument.name == "colorize" ? "true"
+                                                                     : value);
         }
       return text;
     }
@@ -165,9 +167,13 @@ namespace stickslip
     {
       std::string text;
       for (const GeneratorArgument &argument : generator.arguments)
-        text +=
-          (text.empty() ? "" : " : ") + argument.name +
-          (argument.default_3d.empty() ? "" : " (" + argument.default_3d + ")");
+        {
+          const std::string &value = argument.default_3d == "none"
+                                       ? argument.default_2d
+                                       : argument.default_3d;
+          text += (text.empty() ? "" : " : ") + argument.name +
+                  (value.empty() ? "" : " (" + value + ")");
+        }
       return text;
     }
   } // namespace

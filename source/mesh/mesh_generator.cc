@@ -54,7 +54,7 @@ namespace stickslip
       {"graded_hyper_rectangle", 0, {{"x positions", "", ""}, {"y positions", "", ""}, {"z positions", "none", ""}}, true},
       {"half_hyper_ball", 0, {centre, radius}, false},
       {"half_hyper_shell", 0, {centre, inner_radius, outer_radius, n_cells, colorize}, false},
-      {"hyper_L", 0, {{"left", "-1", "-1"}, right, colorize}, false},
+      {"hyper_L", 0, {{"left", "-1", "-1"}, right, {"colorize", "false", "none"}}, false},
       {"hyper_ball", 0, {centre, radius, {"spherical manifold on boundary cells", "false", "false"}}, false},
       {"hyper_ball_balanced", 0, {centre, radius}, false},
       {"hyper_cross", 0, {{"sizes", "", ""}, colorize}, false},
@@ -256,8 +256,6 @@ namespace stickslip
           const auto [first, last] = tool_cell<dim>(name, values, path);
           return GridGenerator::hyper_rectangle(triangulation, first, last);
         }
-      if (dim == 2 && values[2] != "none")
-        throw UserError(path + ": z positions exist only in 3D.");
       std::array<std::vector<double>, dim> positions;
       for (unsigned int d = 0; d < dim; ++d)
         positions[d] = subdivided_line(values[d], path);
@@ -279,8 +277,10 @@ namespace stickslip
                      const std::vector<std::string> &values)
     {
       std::string text;
+      // deal.II wants values of what it does not know in this dimension, too
       for (const std::string &value : values)
-        text += (text.empty() ? "" : " : ") + value;
+        text +=
+          (text.empty() ? "" : " : ") + (value == "none" ? "false" : value);
 #if DEAL_II_VERSION_GTE(9, 6, 0)
       if (name == "cylinder_shell")
         text += " : false"; // not colorized, as it always was

@@ -1,6 +1,7 @@
 #include <stickslip/problem/start_description.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <sstream>
 
@@ -14,6 +15,14 @@ namespace stickslip
     /// Bodies that are farther from each other than this times the larger
     /// one do not meet.
     constexpr double out_of_reach = 5.;
+
+    /// Facets that change the overlap of a press fit by this fraction change
+    /// its largest pressure by about a half.
+    constexpr double tolerable_ripple = 0.02;
+
+    /// Where surfaces only touch facets do not matter below this fraction of a
+    /// face's size: curved faces of degree 2 have less.
+    constexpr double negligible_ripple = 3e-4;
 
     template <int dim>
     double
@@ -128,6 +137,33 @@ namespace stickslip
 
 
 
+    /// Why the pressure of a press fit will be far off; empty: it will not.
+    template <int dim>
+    std::string
+    about_facets(const ContactAtStart<dim> &start)
+    {
+      const double ripple  = start.facet_ripple;
+      const double overlap = std::abs(start.mean_overlap);
+      const bool   is_fit  = overlap > 3. * ripple; // else they only touch
+      if (ripple <= (is_fit ? tolerable_ripple * overlap
+                            : negligible_ripple * start.face_size))
+        return "";
+      std::ostringstream text;
+      text << "contact pair '" << start.pair
+           << "': the cells do not match and follow the round surfaces so "
+              "roughly that these overlap by "
+           << start.mean_overlap << " in the mean, but by " << ripple
+           << " more or less within a face (root mean square). Stiff bodies "
+              "turn that into pressures that swing from node to node and may "
+              "be many times too large. 'Degree = 2' follows the curves much "
+              "better (of generators, second-order mesh files, "
+              "'Coordinates'); nodes that match have no such error; cells of "
+              "half the size have a quarter of it, or less.";
+      return text.str();
+    }
+
+
+
     template <int dim>
     std::string
     description_of(const ContactAtStart<dim> &start)
@@ -170,6 +206,9 @@ namespace stickslip
         const std::string alone = about_distance(start[p]);
         if (!alone.empty())
           lines.push_back(warning + alone);
+        const std::string facets = about_facets(start[p]);
+        if (!facets.empty())
+          lines.push_back(warning + facets);
         const std::string bond = about_bond(*pairs[p], start[p]);
         if (!bond.empty())
           lines.push_back(warning + bond);

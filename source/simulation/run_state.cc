@@ -8,6 +8,8 @@
 
 #include <stickslip/output/contact_resultants.h>
 
+#include <stickslip/problem/rigid_part.h>
+
 namespace stickslip
 {
   template <int dim>
@@ -93,6 +95,16 @@ namespace stickslip
     accepted.rate = accepted.advance(x, problem(), work);
     accepted.rate *= 1. / size;
     x_is_guess = false;
+  }
+
+
+
+  template <int dim>
+  void
+  RunState<dim>::forget_motions(const std::vector<FreeMotion> &motions)
+  {
+    if (!motions.empty())
+      remove_motions(motions, mesh.bodies, problem().layout(), accepted.rate);
   }
 
 

@@ -43,6 +43,7 @@ namespace stickslip
                parameters.load_stepping.end_time,
                communicator)
     , state(parameters, mesh, log, stop_requests)
+    , motion_warnings(parameters, mesh.bodies, problem())
   {
     output.locate(problem());
   }
@@ -216,8 +217,11 @@ namespace stickslip
     const auto faces      = contact_results(problem().contact());
     const auto resultants = resultants_of(faces);
     state.work.add_friction(resultants);
-    for (const std::string &text : warnings.of_step(resultants))
-      warn(text);
+    for (const auto &texts : {warnings.of_step(resultants),
+                              motion_warnings.of_step(resultants, problem())})
+      for (const std::string &text : texts)
+        warn(text);
+    state.forget_motions(motion_warnings.adrift());
     write_statistics();
     const unsigned int step = steps().step_number();
     output.forces.write(step, steps().time(), resultants, problem());

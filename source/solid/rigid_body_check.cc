@@ -290,8 +290,14 @@ namespace stickslip
                                     !conditions.drives_rigid_body(b));
             }
         if (!is_held)
-          for (const std::string &motion : modes[g].unheld())
-            motions.push_back({names, motion});
+          for (const Vector<double> &motion : modes[g].unheld())
+            {
+              FreeMotion free{names, modes[g].motion_name(motion), {}, {}};
+              free.factors.assign(motion.begin(), motion.end());
+              for (unsigned int d = 0; d < dim; ++d)
+                free.centre.push_back(modes[g].middle()[d]);
+              motions.push_back(free);
+            }
       }
     return motions;
   }

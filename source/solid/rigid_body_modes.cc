@@ -197,13 +197,14 @@ namespace stickslip
 
 
   template <int dim>
-  std::vector<std::string>
+  std::vector<Vector<double>>
   RigidBodyModes<dim>::unheld() const
   {
-    std::vector<std::string> names;
-    for (const Vector<double> &motion : null_space_basis(gram))
-      names.push_back(motion_name(motion));
-    return names;
+    std::vector<Vector<double>> motions = null_space_basis(gram);
+    for (Vector<double> &motion : motions)
+      for (unsigned int r = dim; r < n_modes; ++r)
+        motion(r) /= length; // rows have arms relative to it
+    return motions;
   }
 
 
@@ -218,9 +219,9 @@ namespace stickslip
     double largest_rotation = 0.;
     for (unsigned int r = 0; r < n_rotations; ++r)
       {
-        rotation[dim == 2 ? 2 : r] = motion(dim + r);
+        rotation[dim == 2 ? 2 : r] = length * motion(dim + r);
         largest_rotation =
-          std::max(largest_rotation, std::abs(motion(dim + r)));
+          std::max(largest_rotation, length * std::abs(motion(dim + r)));
       }
     if (largest_rotation > 1e-6)
       return "rotation about " + direction_name(rotation);

@@ -57,12 +57,13 @@ namespace
   /// hangs over on one side.
   template <int dim>
   Mesh<dim>
-  make_mesh(const bool hanging_nodes,
-            const bool simplices_above,
-            const bool simplices_below,
-            const bool hanging_slave,
-            const bool axisymmetric,
-            const bool symmetric)
+  make_mesh(const unsigned int degree,
+            const bool         hanging_nodes,
+            const bool         simplices_above,
+            const bool         simplices_below,
+            const bool         hanging_slave,
+            const bool         axisymmetric,
+            const bool         symmetric)
   {
     BodyParameters upper, lower;
     upper.generator = lower.generator = "subdivided_hyper_rectangle";
@@ -86,6 +87,8 @@ namespace
     lower.simplices = simplices_below;
     upper.material = lower.material = "rubber";
     MeshParameters parameters;
+    parameters.degree  = degree;
+    parameters.goes_on = hanging_nodes || hanging_slave; // refined below
     parameters.is_axisymmetric = axisymmetric;
     Mesh<dim>  mesh            = build_mesh<dim>(parameters,
                                      {{"upper", upper}, {"lower", lower}},
@@ -380,7 +383,8 @@ namespace
   void
   test_case(const Case &c)
   {
-    Mesh<dim> mesh = make_mesh<dim>(c.hanging_nodes,
+    Mesh<dim>                              mesh = make_mesh<dim>(c.degree,
+                                    c.hanging_nodes,
                                     c.simplices,
                                     c.simplices != c.mixed,
                                     c.hanging_slave,

@@ -142,12 +142,22 @@ namespace
       }
     LA::Vector x(closed.b);
     x = 0.;
-    SolverControl            control(100, 1e-10 * closed.b.l2_norm());
-    SolverFGMRES<LA::Vector> solver(control);
-    solver.solve(closed.matrix, x, closed.b, Preconditioner{parts});
+    bool is_fast;
+    if (most_iterations == 1) // of which versions of GMRES make two
+      {
+        parts.solve(x, closed.b);
+        is_fast = closed.residual(x) < 1e-9;
+      }
+    else
+      {
+        SolverControl            control(100, 1e-10 * closed.b.l2_norm());
+        SolverFGMRES<LA::Vector> solver(control);
+        solver.solve(closed.matrix, x, closed.b, Preconditioner{parts});
+        is_fast = control.last_step() <= most_iterations;
+      }
     print("parts of " + std::to_string(largest) + ": at most " +
             std::to_string(most_iterations) + " iterations",
-          control.last_step() <= most_iterations);
+          is_fast);
     print("the solution", closed.residual(x) < 1e-9);
   }
 

@@ -17,14 +17,19 @@ namespace stickslip
   template <int dim>
   struct ContactAtStart
   {
-    std::string      pair, slave_body, master_body;
-    unsigned int     n_points        = 0;
-    unsigned int     n_paired        = 0;
-    double           smallest_gap    = 0.; ///< of an open point [length]
-    double           largest_overlap = 0.; ///< [length]; 0: none
-    Point<dim>       gap_at;     ///< slave point; if any point is open
-    Point<dim>       overlap_at; ///< likewise, if any overlaps
-    unsigned int     n_open = 0;
+    std::string  pair, slave_body, master_body;
+    unsigned int n_points        = 0;
+    unsigned int n_paired        = 0;
+    double       smallest_gap    = 0.; ///< of an open point [length]
+    double       largest_overlap = 0.; ///< [length]; 0: none
+    Point<dim>   gap_at;               ///< slave point; if any point is open
+    Point<dim>   overlap_at;           ///< likewise, if any overlaps
+    unsigned int n_open = 0;
+
+    /// Of segments between round surfaces that conform: how the facets of the
+    /// meshes change their overlap within a face (root mean square), its mean
+    /// (negative: a gap), and the size of a face [length]. Else zero.
+    double           facet_ripple = 0., mean_overlap = 0., face_size = 0.;
     BoundingBox<dim> slave, master; ///< of the surfaces
     BoundingBox<dim> unpaired;      ///< around the points without a partner
   };

@@ -60,6 +60,11 @@ namespace stickslip
     void
     accept_step(const double size);
 
+    /// The next step is not predicted to go on with @p motions, which nothing
+    /// resists: it would do so for ever.
+    void
+    forget_motions(const std::vector<FreeMotion> &motions);
+
     /// Back to the accepted state.
     void
     restore();

@@ -21,6 +21,7 @@
 #include <stickslip/simulation/convergence_log.h>
 #include <stickslip/simulation/failure_report.h>
 #include <stickslip/simulation/mesh_adaptation.h>
+#include <stickslip/simulation/motion_warnings.h>
 #include <stickslip/simulation/run_output.h>
 #include <stickslip/simulation/run_state.h>
 
@@ -97,6 +98,7 @@ namespace stickslip
     StopRequests        stop_requests;
     Progress            progress;
     RunState<dim>       state;
+    MotionWarnings<dim> motion_warnings;
 
     ContactProblem<dim> &
     problem() const

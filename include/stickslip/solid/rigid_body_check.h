@@ -17,6 +17,9 @@ namespace stickslip
     std::vector<std::string> bodies; ///< their names
     std::string              motion; ///< "rotation about z", for messages only
 
+    /// Factors of rigid_mode() about a centre [its first dim coordinates].
+    std::vector<double> factors, centre;
+
     /// For messages: "body 'punch': rotation about z".
     std::string
     text() const;

@@ -11,6 +11,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
 
 #include <string>
 #include <utility>
@@ -48,17 +49,24 @@ namespace stickslip
     void
     sum_over_ranks(const MPI_Comm communicator);
 
-    /// "translation along x", "rotation about z", ...: a basis of the motions
-    /// that nothing holds.
-    std::vector<std::string>
+    /// A basis of the motions that nothing holds: of each the factors of
+    /// rigid_mode() about middle().
+    std::vector<Vector<double>>
     unheld() const;
+
+    /// "translation along x", "rotation about z", ...
+    std::string
+    motion_name(const Vector<double> &motion) const;
+
+    const Point<dim> &
+    middle() const
+    {
+      return centre;
+    }
 
   private:
     void
     add_row(const Vector<double> &row);
-
-    std::string
-    motion_name(const Vector<double> &motion) const;
 
     Point<dim>         centre;
     double             length;

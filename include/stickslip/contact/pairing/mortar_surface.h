@@ -59,6 +59,12 @@ namespace stickslip
       return nodes[i];
     }
 
+    const FaceShape<dim> &
+    slave_shape() const
+    {
+      return displacement_shape;
+    }
+
     /// The slave faces around the nodes.
     const std::vector<MortarFace<dim>> &
     mortar_faces() const

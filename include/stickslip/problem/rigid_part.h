@@ -1,0 +1,34 @@
+#ifndef stickslip_problem_rigid_part_h
+#define stickslip_problem_rigid_part_h
+
+#include <stickslip/mesh/body.h>
+
+#include <stickslip/problem/dof_layout.h>
+
+#include <stickslip/solid/rigid_body_check.h>
+
+#include <vector>
+
+namespace stickslip
+{
+  /// The rotation [radian; about z in 2D, about x, y, z in 3D] in the rigid
+  /// motion that is nearest to the displacement @p u of body @p body at its
+  /// vertices. @p u has ghosts. Collective.
+  template <int dim>
+  std::vector<double>
+  mean_rotation(const unsigned int    body,
+                const Bodies         &bodies,
+                const DofLayout<dim> &dofs,
+                const LA::Vector     &u);
+
+  /// Takes out of @p u, a displacement of owned entries, what it has of
+  /// @p motions; those of the same bodies follow on each other. Collective.
+  template <int dim>
+  void
+  remove_motions(const std::vector<FreeMotion> &motions,
+                 const Bodies                  &bodies,
+                 const DofLayout<dim>          &dofs,
+                 LA::Vector                    &u);
+} // namespace stickslip
+
+#endif

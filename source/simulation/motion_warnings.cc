@@ -1,0 +1,131 @@
+#include <stickslip/simulation/motion_warnings.h>
+
+#include <stickslip/problem/rigid_part.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// Rotations [radian] from which on small strains are wrong by a thousandth
+    /// and more: half of the square.
+    constexpr double noticeable_rotation = 0.05;
+
+
+
+    double
+    norm_of(const std::vector<double> &rotation)
+    {
+      double square = 0.;
+      for (const double component : rotation)
+        square += component * component;
+      return std::sqrt(square);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  MotionWarnings<dim>::MotionWarnings(const CaseParameters      &parameters,
+                                      const Bodies              &bodies,
+                                      const ContactProblem<dim> &problem)
+    : parameters(parameters)
+    , bodies(bodies)
+    , free(problem.free_motions())
+  {
+    if (bodies.cross_section.is_axisymmetric)
+      return; // nothing turns
+    for (const auto &[name, material] : parameters.materials)
+      if (material.constitutive_law()->is_geometrically_linear())
+        for (const Region &region : bodies.regions)
+          if (region.material == name && !bodies.bodies[region.body].is_rigid)
+            small_strain_bodies.push_back({region.body, name, material.law});
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  MotionWarnings<dim>::of_step(
+    const std::vector<ContactResultants<dim>> &resultants,
+    const ContactProblem<dim>                 &problem)
+  {
+    std::vector<std::string> texts;
+    find_adrift(resultants, texts);
+    look_at_rotations(problem, texts);
+    return texts;
+  }
+
+
+
+  template <int dim>
+  void
+  MotionWarnings<dim>::find_adrift(
+    const std::vector<ContactResultants<dim>> &resultants,
+    std::vector<std::string>                  &texts)
+  {
+    unresisted.clear();
+    std::vector<FreeMotion> news;
+    for (const FreeMotion &motion : free)
+      {
+        bool is_touched = false;
+        for (unsigned int p = 0; p < resultants.size(); ++p)
+          is_touched =
+            is_touched || (resultants[p].n_closed() > 0 &&
+                           motion.concerns(parameters.contact_pairs[p].second));
+        if (is_touched)
+          continue;
+        unresisted.push_back(motion);
+        if (reported.insert(motion.text()).second)
+          news.push_back(motion);
+      }
+    for (const std::string &line : describe(news))
+      texts.push_back("no contact pair is closed that could hold what is " +
+                      line +
+                      ". It stays where it is until something touches it.");
+  }
+
+
+
+  template <int dim>
+  void
+  MotionWarnings<dim>::look_at_rotations(const ContactProblem<dim> &problem,
+                                         std::vector<std::string>  &texts)
+  {
+    for (auto body = small_strain_bodies.begin();
+         body != small_strain_bodies.end();)
+      {
+        const double angle =
+          norm_of(mean_rotation(body->body,
+                                bodies,
+                                problem.layout(),
+                                problem.ghosted_displacement()));
+        if (angle < noticeable_rotation)
+          {
+            ++body;
+            continue;
+          }
+        std::ostringstream text;
+        text
+          << std::setprecision(2) << "body '" << bodies.bodies[body->body].name
+          << "' has turned by " << angle * 180. / numbers::PI
+          << " degrees, but 'Materials/" << body->material
+          << "/Law = " << body->law
+          << "' is for small strains and rotations: its strains are wrong by "
+             "half the square of the angle ("
+          << 50. * angle * angle
+          << " %), and its forces do not balance where it is now. "
+             "Take a law for large strains (St Venant-Kirchhoff, "
+             "neo-Hookean, Hencky, Simo-Miehe).";
+        texts.push_back(text.str());
+        body = small_strain_bodies.erase(body);
+      }
+  }
+
+  template class MotionWarnings<2>;
+  template class MotionWarnings<3>;
+} // namespace stickslip
