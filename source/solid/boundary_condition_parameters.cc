@@ -142,9 +142,9 @@ namespace stickslip
     prm.add_parameter("Rotation centre",
                       rotation_centre,
                       "Of a rigid motion and of cylindrical components: a "
-                      "point on the axis in the reference configuration, for a "
-                      "rigid motion and a distributed force the point that "
-                      "Translation and Force refer to. Empty: the origin.",
+                      "point on the axis in the reference configuration, and "
+                      "what Translation, Force and Torque refer to. Empty: the "
+                      "origin, but not with a free rotation.",
                       Patterns::Anything());
     prm.add_parameter("Second boundary",
                       second_boundary,

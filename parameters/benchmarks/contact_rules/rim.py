@@ -3,8 +3,8 @@
 
 usage: rim.py RESULTS...    (runs of ../scaling/p1.prm with --set "Output/Contact points=true")
 
-Prints, per directory, the largest error at nodes with 0.85 a < r < 1.15 a and the error in the L2 norm of the nodal
-values, over Hertz' for the force of the run: of the averages of Hertz' own pressure (weighted with shape functions), of
+Prints, per directory, the root mean square of the errors at nodes with r < 0.6 a, the largest at those with 0.85 a < r
+< 1.15 a and the error in the L2 norm of the nodal values, over Hertz' for the force of the run: of the averages of Hertz' own pressure (weighted with shape functions), of
 its best linear approximation, of the multipliers of the run, and of these with one step that takes the averaging back.
 """
 import math
@@ -57,14 +57,14 @@ def report(directory):
     inverse = numpy.linalg.inv(mass)
 
     exact, r = hertz(axis), numpy.hypot(axis[:, None], axis[None])
-    rim = (r > 0.85 * a) & (r < 1.15 * a)
+    inside, rim = r < 0.6 * a, (r > 0.85 * a) & (r < 1.15 * a)
     print(f"{directory}: {len(axis)} x {len(axis)} nodes, a = {a:.4f}, p0 = {p0:.3f}")
     for name, nodal in (("averages of Hertz' pressure", loads / area), ("its best approximation", inverse @ loads @ inverse.T),
                         ("multipliers", multipliers),
                         ("averaging taken back", numpy.maximum(2 * multipliers - average @ multipliers @ average.T, 0))):
         error = nodal - exact
         norm = math.sqrt((area * error**2).sum() / (area * exact**2).sum())
-        print(f"  {name:28} rim {abs(error[rim]).max() / p0:.3f} p0, L2 {100 * norm:.1f} %, "
+        print(f"  {name:28} rms {100 * math.sqrt((error[inside] ** 2).mean()) / p0:.2f} %, rim {abs(error[rim]).max() / p0:.3f} p0, L2 {100 * norm:.1f} %, "
               f"integral {100 * ((area * nodal).sum() / (force / 4) - 1):+.1f} %")
 
 
