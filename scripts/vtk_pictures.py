@@ -5,7 +5,7 @@ import sys
 
 import numpy as np
 import vtk
-from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 
 
 def run_under_a_display(program):
@@ -42,17 +42,25 @@ def surface_of(grid, subdivisions=1):
 
 def split_by_value(grid, name):
     """One grid per value of a point field ("body": so that touching bodies keep their own surfaces)."""
-    if grid.GetPointData().GetArray(name) is None:
+    array = grid.GetPointData().GetArray(name)
+    if array is None:
         return [grid]
+    cells = grid.GetCells()
+    first_points = vtk_to_numpy(cells.GetConnectivityArray())[vtk_to_numpy(cells.GetOffsetsArray())[:-1]]
+    values = np.rint(vtk_to_numpy(array))[first_points]
     parts = []
-    for number in np.unique(np.rint(vtk_to_numpy(grid.GetPointData().GetArray(name)))):
-        threshold = vtk.vtkThreshold()
-        threshold.SetInputData(grid)
-        threshold.SetInputArrayToProcess(0, 0, 0, 0, name)
-        threshold.SetLowerThreshold(number - 0.1)
-        threshold.SetUpperThreshold(number + 0.1)
-        threshold.Update()
-        parts.append(threshold.GetOutput())
+    for number in np.unique(values):
+        chosen = vtk.vtkSelectionNode()
+        chosen.SetFieldType(vtk.vtkSelectionNode.CELL)
+        chosen.SetContentType(vtk.vtkSelectionNode.INDICES)
+        chosen.SetSelectionList(numpy_to_vtkIdTypeArray(np.flatnonzero(values == number), deep=1))
+        selection = vtk.vtkSelection()
+        selection.AddNode(chosen)
+        extraction = vtk.vtkExtractSelection()  # vtkThreshold of VTK 9.3 crashes now and then
+        extraction.SetInputData(0, grid)
+        extraction.SetInputData(1, selection)
+        extraction.Update()
+        parts.append(extraction.GetOutput())
     return parts
 
 

@@ -152,7 +152,7 @@ CASES = {
     "a press fit of facets that do not match": (
         "press_fit.prm", "", 0, ["Warning: contact pair 'fit': the cells do not match", "'Degree = 2' follows"]),
     "a body that turns, with a law of small strains": (
-        "floating_blocks.prm", "".join(condition(body, boundary, "Value = x*(cos(0.2*t) - 1) - y*sin(0.2*t); x*sin(0.2*t) + y*(cos(0.2*t) - 1)")
+        "floating_blocks.prm", "".join(condition(body, boundary, "Type = displacement", "Value = x*(cos(0.2*t) - 1) - y*sin(0.2*t); x*sin(0.2*t) + y*(cos(0.2*t) - 1)")
                                        for body, boundary in (("lower", 2), ("upper", 3))) + section("Output", "Verbosity = progress"),
         0, ["Warning: body 'lower' has turned by 11 degrees", "'Materials/elastic/Law = linear elastic'"]),
     "a pair with slave and master exchanged": (

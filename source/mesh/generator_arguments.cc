@@ -154,10 +154,14 @@ namespace stickslip
         const GeneratorArgument &argument = generator.arguments[i];
         const std::string       &missing =
           dim == 2 ? argument.default_2d : argument.default_3d;
-        if (missing == "none" && values[i] != "none")
+        const bool is_missing = missing == "none";
+        if (is_missing && values[i] != "none" && values[i] != "false")
           throw UserError(path + ": '" + generator.name + "' has '" +
                           argument.name + "' only in " +
                           (dim == 2 ? "3D" : "2D") + ".");
+        if (!is_missing && values[i] == "none")
+          throw UserError(path + ": '" + argument.name + "' of '" +
+                          generator.name + "' cannot be 'none'.");
         check_directions(generator, argument, values[i], dim, path);
         if (argument.name.find("positions") == std::string::npos)
           for (const auto &number :

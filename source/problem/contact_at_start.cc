@@ -2,6 +2,8 @@
 
 #include <stickslip/base/user_error.h>
 
+#include <stickslip/problem/overlaps_at_start.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
@@ -14,21 +16,6 @@ namespace stickslip
 {
   namespace
   {
-    /// Gaps below this fraction of a position are roundoff.
-    constexpr double smallest_gap_seen = 1e-12;
-
-
-
-    /// A surface whose mean normal is longer is taken for flat (a sector of 28
-    /// degrees has this one).
-    constexpr double flat = 0.99;
-
-    /// Surfaces conform whose distance changes from face to face by no more
-    /// than this times what it does within faces.
-    constexpr double conforming = 3.;
-
-
-
     /// The largest @p value over ranks that have any, and where it is.
     template <int dim>
     void
@@ -79,112 +66,6 @@ namespace stickslip
 
 
 
-    /// What is looked for in the overlaps at points of this rank.
-    template <int dim>
-    struct Extremes
-    {
-      double     overlap = 0.;
-      double     nearest = std::numeric_limits<double>::lowest(); ///< <= 0
-      Point<dim> overlap_at, gap_at;
-
-      unsigned int n_open = 0;
-
-      void
-      add(double depth, const Point<dim> &x)
-      {
-        if (std::abs(depth) < smallest_gap_seen * x.norm())
-          depth = 0.;
-        if (depth > overlap)
-          {
-            overlap    = depth;
-            overlap_at = x;
-          }
-        if (depth <= 0.)
-          ++n_open;
-        if (depth <= 0. && depth > nearest)
-          {
-            nearest = depth;
-            gap_at  = x;
-          }
-      }
-    };
-
-
-
-    /// The overlaps of the faces of @p pair at its integration points: averages
-    /// around nodes have h^2/(12 R) where a round surface just touches, as dual
-    /// functions change sign. Sets facet_ripple and what
-    /// belongs to it. Collective.
-    template <int dim>
-    Extremes<dim>
-    look_at_segments(const ContactPair<dim> &pair,
-                     const MPI_Comm         &communicator,
-                     ContactAtStart<dim>    &start)
-    {
-      const MortarSurface<dim> &surface = *pair.mortar;
-      const MasterPatch<dim>   &patch   = *pair.patch;
-      Extremes<dim>             extremes;
-      std::vector<double>       N, N_master;
-      // faces, area, overlap, squares of the means of faces, ripple, normal
-      std::vector<double>  sums(5 + dim);
-      FaceShapeValues<dim> values;
-      for (unsigned int f = 0; f < surface.mortar_faces().size(); ++f)
-        {
-          const MortarFace<dim>   &slave    = surface.mortar_faces()[f];
-          const FaceSegments<dim> &segments = surface.segments(f);
-          double                   area = 0., overlap = 0., square = 0.;
-          for (const auto &point : segments.points)
-            {
-              surface.slave_shape().evaluate_gradients(point.xi, values);
-              patch.evaluate_values(point.chart, point.eta, N_master);
-              const Tensor<1, dim> x =
-                interpolate<dim>(values.value, slave.positions);
-              const Tensor<1, dim> x_master = interpolate<dim>(
-                N_master,
-                patch.configuration(segments.masters[point.master]).positions);
-              Tensor<1, dim> n =
-                -slave.face.orientation *
-                surface_normal<dim>(
-                  surface_tangents<dim>(values.gradient, slave.positions));
-              n /= n.norm();
-              double depth = n * (x - x_master);
-              if (!slave.gap_offsets.empty())
-                for (unsigned int k = 0; k < slave.gap_offsets.size(); ++k)
-                  depth -= values.value[k] * slave.gap_offsets[k];
-              extremes.add(depth, Point<dim>(x));
-              area += point.weight;
-              overlap += point.weight * depth;
-              square += point.weight * depth * depth;
-              for (unsigned int d = 0; d < dim; ++d)
-                sums[5 + d] += point.weight * n[d];
-            }
-          if (area == 0.)
-            continue;
-          sums[0] += 1.;
-          sums[1] += area;
-          sums[2] += overlap;
-          sums[3] += overlap * overlap / area;
-          sums[4] += std::max(0., square - overlap * overlap / area);
-        }
-      Utilities::MPI::sum(sums, communicator, sums);
-      const double area = sums[1], mean = sums[2] / area,
-                   ripple  = std::sqrt(sums[4] / area),
-                   between = sums[3] / area - mean * mean; // square
-      Tensor<1, dim> normal;
-      for (unsigned int d = 0; d < dim; ++d)
-        normal[d] = sums[5 + d] / area;
-      if (area > 0. && normal.norm() < flat &&
-          between < Utilities::fixed_power<2>(conforming * ripple))
-        {
-          start.mean_overlap = mean;
-          start.facet_ripple = ripple;
-          start.face_size    = std::pow(area / sums[0], 1. / (dim - 1));
-        }
-      return extremes;
-    }
-
-
-
     template <int dim, typename Faces, typename FaceOf>
     BoundingBox<dim>
     box_of_surface(const Faces    &faces,
@@ -227,7 +108,12 @@ namespace stickslip
           extremes.add(d_n, x);
         }
       if (pair.mortar)
-        extremes = look_at_segments(pair, communicator, start);
+        {
+          // a node that touches is between integration points
+          const Extremes<dim> of_nodes = extremes;
+          extremes = look_at_segments(pair, communicator, start);
+          extremes.take_gaps(of_nodes);
+        }
       take_largest(extremes.overlap, extremes.overlap_at, communicator);
       take_largest(extremes.nearest, extremes.gap_at, communicator);
       start.n_open          = extremes.n_open;

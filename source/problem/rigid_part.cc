@@ -8,6 +8,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace stickslip
@@ -36,7 +37,7 @@ namespace stickslip
 
 
     /// The factors with which the @p fields come nearest to @p u at the
-    /// vertices of those bodies, in the mean square.
+    /// vertices of those bodies, in the mean square over their volumes.
     template <int dim, typename IsMeant>
     Vector<double>
     nearest_factors(const std::vector<Field<dim>> &fields,
@@ -49,6 +50,7 @@ namespace stickslip
       FullMatrix<double>  gram(n, n);
       std::vector<double> moments(n);
       visit_cells(is_meant, bodies, dofs, [&](const auto &cell) {
+        const double volume = cell->measure();
         for (const unsigned int v : cell->vertex_indices())
           {
             std::vector<Tensor<1, dim>> values;
@@ -60,9 +62,9 @@ namespace stickslip
                 u(cell->vertex_dof_index(v, d, cell->active_fe_index()));
             for (unsigned int i = 0; i < n; ++i)
               {
-                moments[i] += values[i] * displacement;
+                moments[i] += volume * (values[i] * displacement);
                 for (unsigned int j = 0; j < n; ++j)
-                  gram(i, j) += values[i] * values[j];
+                  gram(i, j) += volume * (values[i] * values[j]);
               }
           }
       });
@@ -147,7 +149,15 @@ namespace stickslip
       bodies,
       dofs,
       u);
-    return {factors.begin() + dim, factors.end()};
+    // of a finite rotation about an axis it is the sine of the angle
+    std::vector<double> rotation(factors.begin() + dim, factors.end());
+    double              square = 0.;
+    for (const double component : rotation)
+      square += component * component;
+    const double sine = std::min(1., std::sqrt(square));
+    for (double &component : rotation)
+      component *= sine > 0. ? std::asin(sine) / sine : 1.;
+    return rotation;
   }
 
 

@@ -142,10 +142,11 @@ namespace stickslip
     std::string
     about_facets(const ContactAtStart<dim> &start)
     {
-      const double ripple  = start.facet_ripple;
-      const double overlap = std::abs(start.mean_overlap);
-      const bool   is_fit  = overlap > 3. * ripple; // else they only touch
-      if (ripple <= (is_fit ? tolerable_ripple * overlap
+      const double ripple = start.facet_ripple;
+      // else the surfaces only touch, or do not
+      const bool is_fit = start.mean_overlap > 3. * ripple;
+      if (start.mean_overlap < -3. * ripple ||
+          ripple <= (is_fit ? tolerable_ripple * start.mean_overlap
                             : negligible_ripple * start.face_size))
         return "";
       std::ostringstream text;

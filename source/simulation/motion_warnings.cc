@@ -25,6 +25,30 @@ namespace stickslip
         square += component * component;
       return std::sqrt(square);
     }
+
+
+
+    /// Those of @p motions that no condition holds at other times.
+    std::vector<FreeMotion>
+    permanently_free(std::vector<FreeMotion> motions,
+                     const CaseParameters   &parameters)
+    {
+      const auto is_held_at_times = [&](const FreeMotion &motion) {
+        for (const auto &[name, condition] : parameters.boundary_conditions)
+          if (std::count(motion.bodies.begin(),
+                         motion.bodies.end(),
+                         condition.body) > 0 &&
+              !condition.active_interval("Boundary conditions/" + name)
+                 .is_always())
+            return true;
+        return false;
+      };
+      motions.erase(std::remove_if(motions.begin(),
+                                   motions.end(),
+                                   is_held_at_times),
+                    motions.end());
+      return motions;
+    }
   } // namespace
 
 
@@ -35,14 +59,22 @@ namespace stickslip
                                       const ContactProblem<dim> &problem)
     : parameters(parameters)
     , bodies(bodies)
-    , free(problem.free_motions())
+    , free(permanently_free(problem.free_motions(), parameters))
   {
     if (bodies.cross_section.is_axisymmetric)
       return; // nothing turns
+    const auto is_new = [this](const unsigned int body) {
+      return std::none_of(small_strain_bodies.begin(),
+                          small_strain_bodies.end(),
+                          [body](const auto &other) {
+                            return other.body == body;
+                          });
+    };
     for (const auto &[name, material] : parameters.materials)
       if (material.constitutive_law()->is_geometrically_linear())
         for (const Region &region : bodies.regions)
-          if (region.material == name && !bodies.bodies[region.body].is_rigid)
+          if (region.material == name && !bodies.bodies[region.body].is_rigid &&
+              is_new(region.body))
             small_strain_bodies.push_back({region.body, name, material.law});
   }
 
@@ -74,9 +106,13 @@ namespace stickslip
       {
         bool is_touched = false;
         for (unsigned int p = 0; p < resultants.size(); ++p)
-          is_touched =
-            is_touched || (resultants[p].n_closed() > 0 &&
-                           motion.concerns(parameters.contact_pairs[p].second));
+          {
+            const ContactPairParameters &pair =
+              parameters.contact_pairs[p].second;
+            is_touched = is_touched || (resultants[p].n_closed() > 0 &&
+                                        motion.concerns(pair) &&
+                                        pair.slave_body != pair.master_body);
+          }
         if (is_touched)
           continue;
         unresisted.push_back(motion);
@@ -86,7 +122,8 @@ namespace stickslip
     for (const std::string &line : describe(news))
       texts.push_back("no contact pair is closed that could hold what is " +
                       line +
-                      ". It stays where it is until something touches it.");
+                      ". Without a load it stays where it is until something "
+                      "touches it.");
   }
 
 

@@ -63,7 +63,8 @@ namespace stickslip
 
 
     /// True if @p cell of @p cells is a triangle or nearly a parallelogram; an
-    /// interval, if all of them have its length.
+    /// interval, if all of them have its length (which those of an edge of
+    /// degree 3 and more never have).
     template <int facedim, typename Cells>
     bool
     is_affine(const ConvexCell<facedim> &cell, const Cells &cells)

@@ -1,0 +1,157 @@
+#include <stickslip/problem/overlaps_at_start.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <set>
+#include <vector>
+
+namespace stickslip
+{
+  namespace
+  {
+    /// A surface whose mean normal is longer is taken for flat (a sector of 28
+    /// degrees has this one).
+    constexpr double flat = 0.99;
+
+    /// Surfaces conform whose distance changes from face to face by no more
+    /// than this times what it does within faces.
+    constexpr double conforming = 3.;
+
+    /// Of a round surface; with few of them that distance says nothing.
+    constexpr unsigned int fewest_faces = 6;
+
+
+
+    /// Sums over slave faces that tell how facets change the overlap of round
+    /// surfaces.
+    template <int dim>
+    struct FacetSums
+    {
+      double n_faces = 0., area = 0., overlap = 0.;
+      double squares_of_means = 0., variation = 0.;
+
+      Tensor<1, dim> normal;
+
+      void
+      add_point(const double          weight,
+                const double          depth,
+                const Tensor<1, dim> &n)
+      {
+        area_of_face += weight;
+        overlap_of_face += weight * depth;
+        square_of_face += weight * depth * depth;
+        normal += weight * n;
+      }
+
+      void
+      finish_face()
+      {
+        if (area_of_face > 0.)
+          {
+            const double square_of_mean =
+              overlap_of_face * overlap_of_face / area_of_face;
+            n_faces += 1.;
+            area += area_of_face;
+            overlap += overlap_of_face;
+            squares_of_means += square_of_mean;
+            variation += std::max(0., square_of_face - square_of_mean);
+          }
+        area_of_face = overlap_of_face = square_of_face = 0.;
+      }
+
+      void
+      put_into(ContactAtStart<dim> &start, const MPI_Comm &communicator)
+      {
+        for (double *sum :
+             {&n_faces, &area, &overlap, &squares_of_means, &variation})
+          *sum = Utilities::MPI::sum(*sum, communicator);
+        normal = Utilities::MPI::sum(normal, communicator);
+        if (n_faces < fewest_faces || normal.norm() > flat * area)
+          return;
+        const double mean    = overlap / area;
+        const double ripple  = std::sqrt(variation / area);
+        const double between = squares_of_means / area - mean * mean; // square
+        if (between > Utilities::fixed_power<2>(conforming * ripple))
+          return;
+        start.mean_overlap = mean;
+        start.facet_ripple = ripple;
+        start.face_size    = std::pow(area / n_faces, 1. / (dim - 1));
+      }
+
+    private:
+      double area_of_face = 0., overlap_of_face = 0., square_of_face = 0.;
+    };
+
+
+
+    /// Whether facets change what the pair is at the start: not those of a
+    /// smooth tool, nor gaps and overlaps that cause no stress.
+    template <int dim>
+    bool
+    facets_count(const ContactPair<dim> &pair)
+    {
+      const InitialGaps &gaps = pair.parameters.initial_gaps;
+      return pair.patch->tool() == nullptr &&
+             gaps.treatment == InitialGapTreatment::as_meshed &&
+             (!pair.parameters.is_bilateral() || gaps.ramp_time > 0.);
+    }
+  } // namespace
+
+
+
+  template <int dim>
+  Extremes<dim>
+  look_at_segments(const ContactPair<dim> &pair,
+                   const MPI_Comm         &communicator,
+                   ContactAtStart<dim>    &start)
+  {
+    const MortarSurface<dim> &surface = *pair.mortar;
+    const MasterPatch<dim>   &patch   = *pair.patch;
+    std::set<FaceId>          owned; // the others are those of other ranks
+    for (const auto &slave : pair.slave_faces)
+      owned.insert(slave.face.id);
+    Extremes<dim>        extremes;
+    FacetSums<dim>       sums;
+    std::vector<double>  N_master;
+    FaceShapeValues<dim> values;
+    for (unsigned int f = 0; f < surface.mortar_faces().size(); ++f)
+      {
+        const MortarFace<dim>   &slave    = surface.mortar_faces()[f];
+        const FaceSegments<dim> &segments = surface.segments(f);
+        if (owned.count(slave.face.id) == 0)
+          continue;
+        for (const auto &point : segments.points)
+          {
+            surface.slave_shape().evaluate_gradients(point.xi, values);
+            patch.evaluate_values(point.chart, point.eta, N_master);
+            const Tensor<1, dim> x =
+              interpolate<dim>(values.value, slave.positions);
+            const Tensor<1, dim> x_master = interpolate<dim>(
+              N_master,
+              patch.configuration(segments.masters[point.master]).positions);
+            Tensor<1, dim> n =
+              -slave.face.orientation *
+              surface_normal<dim>(
+                surface_tangents<dim>(values.gradient, slave.positions));
+            n /= n.norm();
+            double depth = n * (x - x_master);
+            for (unsigned int k = 0; k < slave.gap_offsets.size(); ++k)
+              depth -= values.value[k] * slave.gap_offsets[k];
+            extremes.add(depth, Point<dim>(x));
+            sums.add_point(point.weight, depth, n);
+          }
+        sums.finish_face();
+      }
+    if (facets_count(pair))
+      sums.put_into(start, communicator);
+    return extremes;
+  }
+
+#define INSTANTIATE(dim)                                            \
+  template Extremes<dim> look_at_segments(const ContactPair<dim> &, \
+                                          const MPI_Comm &,         \
+                                          ContactAtStart<dim> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace stickslip
