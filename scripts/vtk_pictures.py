@@ -43,25 +43,37 @@ def surface_of(grid, subdivisions=1):
 def split_by_value(grid, name):
     """One grid per value of a point field ("body": so that touching bodies keep their own surfaces)."""
     array = grid.GetPointData().GetArray(name)
-    if array is None:
+    if array is None or grid.GetNumberOfCells() == 0:
         return [grid]
-    cells = grid.GetCells()
-    first_points = vtk_to_numpy(cells.GetConnectivityArray())[vtk_to_numpy(cells.GetOffsetsArray())[:-1]]
-    values = np.rint(vtk_to_numpy(array))[first_points]
-    parts = []
-    for number in np.unique(values):
-        chosen = vtk.vtkSelectionNode()
-        chosen.SetFieldType(vtk.vtkSelectionNode.CELL)
-        chosen.SetContentType(vtk.vtkSelectionNode.INDICES)
-        chosen.SetSelectionList(numpy_to_vtkIdTypeArray(np.flatnonzero(values == number), deep=1))
-        selection = vtk.vtkSelection()
-        selection.AddNode(chosen)
-        extraction = vtk.vtkExtractSelection()  # vtkThreshold of VTK 9.3 crashes now and then
-        extraction.SetInputData(0, grid)
-        extraction.SetInputData(1, selection)
-        extraction.Update()
-        parts.append(extraction.GetOutput())
-    return parts
+    starts = vtk_to_numpy(grid.GetCells().GetOffsetsArray())
+    values = np.rint(vtk_to_numpy(array))[vtk_to_numpy(grid.GetCells().GetConnectivityArray())[starts[:-1]]]
+    return [part_of(grid, np.flatnonzero(values == value)) for value in np.unique(values)]
+
+
+def part_of(grid, chosen):
+    """The cells of these numbers, with their points. (vtkExtractCells, which VTK's filters have for that, crashes.)"""
+    starts = vtk_to_numpy(grid.GetCells().GetOffsetsArray())
+    nodes = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
+    sizes = np.diff(starts)[chosen]
+    ends = np.concatenate([[0], np.cumsum(sizes)])
+    nodes = nodes[np.repeat(starts[:-1][chosen] - ends[:-1], sizes) + np.arange(ends[-1])]
+    used, nodes = np.unique(nodes, return_inverse=True)
+    # newer VTK keeps one number where all cells are of a kind
+    kinds = grid.GetCellTypesArray()
+    kinds = vtk_to_numpy(kinds)[chosen] if kinds is not None else np.full(len(chosen), grid.GetCellType(0))
+    cells = vtk.vtkCellArray()
+    cells.SetData(numpy_to_vtkIdTypeArray(ends.astype(np.int64), deep=1), numpy_to_vtkIdTypeArray(nodes.astype(np.int64), deep=1))
+    points = vtk.vtkPoints()
+    points.SetData(numpy_to_vtk(vtk_to_numpy(grid.GetPoints().GetData())[used], deep=1))
+    part = vtk.vtkUnstructuredGrid()
+    part.SetPoints(points)
+    part.SetCells(numpy_to_vtk(kinds.astype(np.uint8), deep=1, array_type=vtk.VTK_UNSIGNED_CHAR), cells)
+    for i in range(grid.GetPointData().GetNumberOfArrays()):
+        old = grid.GetPointData().GetArray(i)
+        new = numpy_to_vtk(vtk_to_numpy(old)[used], deep=1)
+        new.SetName(old.GetName())
+        part.GetPointData().AddArray(new)
+    return part
 
 
 def add_scalar(data, field, component):
