@@ -8,18 +8,15 @@
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
+#include <iterator>
+#include <vector>
 
 namespace stickslip
 {
   namespace
   {
-    template <int dim>
-    using Field = std::function<Tensor<1, dim>(const Point<dim> &)>;
-
-
-
     /// Calls visit(cell) for each owned cell of the bodies that @p is_meant.
     template <int dim, typename IsMeant, typename Visit>
     void
@@ -36,70 +33,81 @@ namespace stickslip
 
 
 
-    /// The factors with which the @p fields come nearest to @p u at the
-    /// vertices of those bodies, in the mean square over their volumes.
-    template <int dim, typename IsMeant>
-    Vector<double>
-    nearest_factors(const std::vector<Field<dim>> &fields,
-                    const IsMeant                 &is_meant,
-                    const Bodies                  &bodies,
-                    const DofLayout<dim>          &dofs,
-                    const LA::Vector              &u)
+    /// The sums of a least squares fit of n fields to a displacement: their
+    /// Gram matrix, then their products with it.
+    unsigned int
+    n_sums(const unsigned int n)
     {
-      const unsigned int  n = fields.size();
-      FullMatrix<double>  gram(n, n);
-      std::vector<double> moments(n);
-      visit_cells(is_meant, bodies, dofs, [&](const auto &cell) {
-        const double volume = cell->measure();
-        for (const unsigned int v : cell->vertex_indices())
-          {
-            std::vector<Tensor<1, dim>> values;
-            for (const auto &field : fields)
-              values.push_back(field(cell->vertex(v)));
-            Tensor<1, dim> displacement;
-            for (unsigned int d = 0; d < dim; ++d)
-              displacement[d] =
-                u(cell->vertex_dof_index(v, d, cell->active_fe_index()));
-            for (unsigned int i = 0; i < n; ++i)
-              {
-                moments[i] += volume * (values[i] * displacement);
-                for (unsigned int j = 0; j < n; ++j)
-                  gram(i, j) += volume * (values[i] * values[j]);
-              }
-          }
-      });
-      const MPI_Comm communicator = dofs.dof_handler.get_communicator();
-      Utilities::MPI::sum(gram, communicator, gram);
-      Utilities::MPI::sum(moments, communicator, moments);
+      return n * n + n;
+    }
+
+
+
+    /// Adds the vertices of @p cell, with its volume as their weight. @p fields
+    /// are functions of a place, @p u has ghosts.
+    template <int dim, typename Cell, typename Fields>
+    void
+    add_vertices(const Cell       &cell,
+                 const Fields     &fields,
+                 const LA::Vector &u,
+                 double           *sums)
+    {
+      const double volume = cell->measure();
+      for (const unsigned int v : cell->vertex_indices())
+        {
+          const auto         values = fields(cell->vertex(v));
+          const unsigned int n      = values.size();
+          Tensor<1, dim>     displacement;
+          for (unsigned int d = 0; d < dim; ++d)
+            displacement[d] =
+              u(cell->vertex_dof_index(v, d, cell->active_fe_index()));
+          for (unsigned int i = 0; i < n; ++i)
+            {
+              for (unsigned int j = 0; j < n; ++j)
+                sums[i * n + j] += volume * (values[i] * values[j]);
+              sums[n * n + i] += volume * (values[i] * displacement);
+            }
+        }
+    }
+
+
+
+    Vector<double>
+    fitted_factors(const unsigned int n, const double *sums)
+    {
+      FullMatrix<double> gram(n, n, sums);
       gram.gauss_jordan();
       Vector<double> factors(n);
-      gram.vmult(factors, Vector<double>(moments.begin(), moments.end()));
+      gram.vmult(factors, Vector<double>(sums + n * n, sums + n * n + n));
       return factors;
     }
 
 
 
-    template <int dim>
-    Field<dim>
-    field_of(const FreeMotion &motion)
+    /// Of each of the motions at a place.
+    template <int dim, typename Motion>
+    std::vector<Tensor<1, dim>>
+    values_of(const Motion begin, const Motion end, const Point<dim> &X)
     {
-      return [&motion](const Point<dim> &X) {
-        Point<dim> centre;
-        for (unsigned int d = 0; d < dim; ++d)
-          centre[d] = motion.centre[d];
-        Tensor<1, dim> sum;
-        for (unsigned int m = 0; m < motion.factors.size(); ++m)
-          sum += motion.factors[m] * rigid_mode<dim>(m, X - centre);
-        return sum;
-      };
+      std::vector<Tensor<1, dim>> values;
+      for (auto motion = begin; motion != end; ++motion)
+        {
+          Tensor<1, dim> arm(X);
+          for (unsigned int d = 0; d < dim; ++d)
+            arm[d] -= motion->centre[d];
+          values.emplace_back();
+          for (unsigned int m = 0; m < motion->factors.size(); ++m)
+            values.back() += motion->factors[m] * rigid_mode<dim>(m, arm);
+        }
+      return values;
     }
 
 
 
     /// Subtracts @p field at the nodes of those bodies.
-    template <int dim, typename IsMeant>
+    template <int dim, typename IsMeant, typename Field>
     void
-    subtract(const Field<dim>     &field,
+    subtract(const Field          &field,
              const IsMeant        &is_meant,
              const Bodies         &bodies,
              const DofLayout<dim> &dofs,
@@ -129,35 +137,40 @@ namespace stickslip
 
   template <int dim>
   std::vector<double>
-  mean_rotation(const unsigned int    body,
-                const Bodies         &bodies,
-                const DofLayout<dim> &dofs,
-                const LA::Vector     &u)
+  mean_rotations(const Bodies         &bodies,
+                 const DofLayout<dim> &dofs,
+                 const LA::Vector     &u)
   {
-    constexpr unsigned int n_modes = RigidBodyModes<dim>::n_modes;
+    constexpr unsigned int n = RigidBodyModes<dim>::n_modes;
     const auto boxes = body_boxes(dofs.dof_handler.get_triangulation(), bodies);
-    const Point<dim> centre =
-      boxes[body].first + 0.5 * (boxes[body].second - boxes[body].first);
-    std::vector<Field<dim>> modes;
-    for (unsigned int m = 0; m < n_modes; ++m)
-      modes.push_back([m, centre](const Point<dim> &X) {
-        return rigid_mode<dim>(m, X - centre);
-      });
-    const auto factors = nearest_factors(
-      modes,
-      [body](const unsigned int other) { return other == body; },
-      bodies,
-      dofs,
-      u);
-    // of a finite rotation about an axis it is the sine of the angle
-    std::vector<double> rotation(factors.begin() + dim, factors.end());
-    double              square = 0.;
-    for (const double component : rotation)
-      square += component * component;
-    const double sine = std::min(1., std::sqrt(square));
-    for (double &component : rotation)
-      component *= sine > 0. ? std::asin(sine) / sine : 1.;
-    return rotation;
+    std::vector<double> sums(bodies.n_bodies() * n_sums(n));
+    visit_cells([](const unsigned int) { return true; },
+                bodies,
+                dofs,
+                [&](const auto &cell) {
+                  const unsigned int b = bodies.body_of(cell->material_id());
+                  const auto &[lower, upper] = boxes[b];
+                  const auto centre          = lower + 0.5 * (upper - lower);
+                  const auto modes           = [&](const Point<dim> &X) {
+                    std::array<Tensor<1, dim>, n> values;
+                    for (unsigned int m = 0; m < n; ++m)
+                      values[m] = rigid_mode<dim>(m, X - centre);
+                    return values;
+                  };
+                  add_vertices<dim>(cell, modes, u, &sums[b * n_sums(n)]);
+                });
+    Utilities::MPI::sum(sums, dofs.dof_handler.get_communicator(), sums);
+    std::vector<double> angles;
+    for (unsigned int b = 0; b < bodies.n_bodies(); ++b)
+      {
+        const auto factors = fitted_factors(n, &sums[b * n_sums(n)]);
+        double     square  = 0.;
+        for (unsigned int m = dim; m < n; ++m)
+          square += factors(m) * factors(m);
+        // of a finite rotation about an axis they are the sine of the angle
+        angles.push_back(std::asin(std::min(1., std::sqrt(square))));
+      }
+    return angles;
   }
 
 
@@ -169,9 +182,8 @@ namespace stickslip
                  const DofLayout<dim>          &dofs,
                  LA::Vector                    &u)
   {
-    LA::Vector ghosted(dofs.owned,
-                       dofs.relevant,
-                       dofs.dof_handler.get_communicator());
+    const MPI_Comm communicator = dofs.dof_handler.get_communicator();
+    LA::Vector     ghosted(dofs.owned, dofs.relevant, communicator);
     for (auto begin = motions.begin(); begin != motions.end();)
       {
         const auto end      = std::find_if(begin, motions.end(), [&](auto &m) {
@@ -183,29 +195,38 @@ namespace stickslip
                            names.end(),
                            bodies.bodies[body].name) != names.end();
         };
-        std::vector<Field<dim>> fields;
-        for (auto motion = begin; motion != end; ++motion)
-          fields.push_back(field_of<dim>(*motion));
-        ghosted = u;
-        const auto factors =
-          nearest_factors(fields, is_meant, bodies, dofs, ghosted);
-        const Field<dim> sum = [&](const Point<dim> &X) {
-          Tensor<1, dim> value;
-          for (unsigned int i = 0; i < fields.size(); ++i)
-            value += factors(i) * fields[i](X);
-          return value;
+        const auto fields = [&](const Point<dim> &X) {
+          return values_of<dim>(begin, end, X);
         };
-        subtract(sum, is_meant, bodies, dofs, u);
+        const unsigned int  n = std::distance(begin, end);
+        std::vector<double> sums(n_sums(n));
+        ghosted = u;
+        visit_cells(is_meant, bodies, dofs, [&](const auto &cell) {
+          add_vertices<dim>(cell, fields, ghosted, sums.data());
+        });
+        Utilities::MPI::sum(sums, communicator, sums);
+        const auto factors = fitted_factors(n, sums.data());
+        subtract(
+          [&](const Point<dim> &X) {
+            const auto     values = fields(X);
+            Tensor<1, dim> sum;
+            for (unsigned int i = 0; i < n; ++i)
+              sum += factors(i) * values[i];
+            return sum;
+          },
+          is_meant,
+          bodies,
+          dofs,
+          u);
         u.compress(VectorOperation::add);
         begin = end;
       }
   }
 
 #define INSTANTIATE(dim)                                                       \
-  template std::vector<double> mean_rotation(const unsigned int,               \
-                                             const Bodies &,                   \
-                                             const DofLayout<dim> &,           \
-                                             const LA::Vector &);              \
+  template std::vector<double> mean_rotations(const Bodies &,                  \
+                                              const DofLayout<dim> &,          \
+                                              const LA::Vector &);             \
   template void                remove_motions(const std::vector<FreeMotion> &, \
                                               const Bodies &,                  \
                                               const DofLayout<dim> &,          \

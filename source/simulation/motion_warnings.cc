@@ -17,17 +17,6 @@ namespace stickslip
 
 
 
-    double
-    norm_of(const std::vector<double> &rotation)
-    {
-      double square = 0.;
-      for (const double component : rotation)
-        square += component * component;
-      return std::sqrt(square);
-    }
-
-
-
     /// Those of @p motions that no condition holds at other times.
     std::vector<FreeMotion>
     permanently_free(std::vector<FreeMotion> motions,
@@ -133,14 +122,14 @@ namespace stickslip
   MotionWarnings<dim>::look_at_rotations(const ContactProblem<dim> &problem,
                                          std::vector<std::string>  &texts)
   {
+    if (small_strain_bodies.empty())
+      return;
+    const auto angles =
+      mean_rotations(bodies, problem.layout(), problem.ghosted_displacement());
     for (auto body = small_strain_bodies.begin();
          body != small_strain_bodies.end();)
       {
-        const double angle =
-          norm_of(mean_rotation(body->body,
-                                bodies,
-                                problem.layout(),
-                                problem.ghosted_displacement()));
+        const double angle = angles[body->body];
         if (angle < noticeable_rotation)
           {
             ++body;

@@ -11,15 +11,14 @@
 
 namespace stickslip
 {
-  /// The rotation [radian; about z in 2D, about x, y, z in 3D] in the rigid
-  /// motion that is nearest to the displacement @p u of body @p body at its
-  /// vertices. @p u has ghosts. Collective.
+  /// For each body the angle [radian] of the rotation in the rigid motion that
+  /// is nearest to the displacement @p u at the vertices of its cells. @p u has
+  /// ghosts. Collective.
   template <int dim>
   std::vector<double>
-  mean_rotation(const unsigned int    body,
-                const Bodies         &bodies,
-                const DofLayout<dim> &dofs,
-                const LA::Vector     &u);
+  mean_rotations(const Bodies         &bodies,
+                 const DofLayout<dim> &dofs,
+                 const LA::Vector     &u);
 
   /// Takes out of @p u, a displacement of owned entries, what it has of
   /// @p motions; those of the same bodies follow on each other. Collective.

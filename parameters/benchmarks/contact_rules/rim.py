@@ -4,8 +4,9 @@
 usage: rim.py RESULTS...    (runs of ../scaling/p1.prm with --set "Output/Contact points=true")
 
 Prints, per directory, the root mean square of the errors at nodes with r < 0.6 a, the largest at those with 0.85 a < r
-< 1.15 a and the error in the L2 norm of the nodal values, over Hertz' for the force of the run: of the averages of Hertz' own pressure (weighted with shape functions), of
-its best linear approximation, of the multipliers of the run, and of these with one step that takes the averaging back.
+< 1.15 a and the error in the L2 norm of the nodal values, over Hertz' for the force of the run: of the averages of
+Hertz' own pressure (weighted with shape functions), of its best linear approximation, of the multipliers of the run,
+and of these with one step that takes the averaging back.
 """
 import math
 import pathlib
@@ -64,7 +65,8 @@ def report(directory):
                         ("averaging taken back", numpy.maximum(2 * multipliers - average @ multipliers @ average.T, 0))):
         error = nodal - exact
         norm = math.sqrt((area * error**2).sum() / (area * exact**2).sum())
-        print(f"  {name:28} rms {100 * math.sqrt((error[inside] ** 2).mean()) / p0:.2f} %, rim {abs(error[rim]).max() / p0:.3f} p0, L2 {100 * norm:.1f} %, "
+        rms = math.sqrt((error[inside] ** 2).mean())
+        print(f"  {name:28} rms {100 * rms / p0:.2f} %, rim {abs(error[rim]).max() / p0:.3f} p0, L2 {100 * norm:.1f} %, "
               f"integral {100 * ((area * nodal).sum() / (force / 4) - 1):+.1f} %")
 
 

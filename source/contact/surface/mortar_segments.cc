@@ -182,27 +182,8 @@ namespace stickslip
     const std::vector<Tensor<1, dim>> undeformed(reference.begin(),
                                                  reference.begin() +
                                                    slave_shape.n_nodes());
-    FaceShapeValues<dim>              values;
-    double                            area_ratio;
-    // a point that is done but for what is opposite and its weight per area
-    const auto add_point = [&](const Point<dim - 1>     &p,
-                               const ParametricMap<dim> &on_master,
-                               SegmentPoint<dim>         point) {
-      FaceShapeValues<dim> master_values;
-      double               area_ratio;
-      point.master = master;
-      point.eta    = on_master.at(p);
-      if (!find_above(master_shape,
-                      p,
-                      plane,
-                      opposite.positions,
-                      point.eta,
-                      master_values,
-                      area_ratio))
-        return;
-      point.weight *= undeformed_area(values, undeformed, cross_section);
-      points.push_back(point);
-    };
+    FaceShapeValues<dim>              values, master_values;
+    double                            area_ratio, master_ratio;
     for (unsigned int i = 0; i < slave.projected.cells.size(); ++i)
       for (unsigned int j = 0; j < opposite.projected.cells.size(); ++j)
         {
@@ -245,6 +226,7 @@ namespace stickslip
                 {
                   SegmentPoint<dim> point;
                   Point<dim - 1>    p = simplex[0];
+                  point.master        = master;
                   if (is_parametric)
                     {
                       point.xi =
@@ -263,7 +245,18 @@ namespace stickslip
                         continue;
                       point.weight = rule.weight(q) * scale / area_ratio;
                     }
-                  add_point(p, on_master, point);
+                  point.eta = on_master.at(p);
+                  if (!find_above(master_shape,
+                                  p,
+                                  plane,
+                                  opposite.positions,
+                                  point.eta,
+                                  master_values,
+                                  master_ratio))
+                    continue;
+                  point.weight *=
+                    undeformed_area(values, undeformed, cross_section);
+                  points.push_back(point);
                 }
             }
         }

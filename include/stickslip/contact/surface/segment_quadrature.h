@@ -15,8 +15,8 @@ namespace stickslip
    * Where the integration points of a segment are. Exact for products of two
    * shape functions where both faces are parallelograms or straight triangles,
    * in 2D on slave edges that are straight where nothing is deformed, before
-   * master edges that are straight; of a higher order
-   * where they are not, as shape functions then are no polynomials.
+   * master edges that are straight; of a higher order where they are not, as
+   * shape functions then are no polynomials.
    *
    * More hangs on that than the accuracy of the integrals: their derivative is
    * that of the exact integral, in which the motion of the borders between
