@@ -125,7 +125,7 @@ namespace stickslip
     , master_shape(master_shape)
     , cross_section(cross_section)
     , quadrature(slave_shape, master_shape, order, cross_section)
-    , edge_rule(QGauss<dim - 2>(2 * slave_shape.degree() + 1))
+    , edge_rule(QGauss<dim - 2>(2 * slave_shape.degree() + 2))
   {}
 
 
