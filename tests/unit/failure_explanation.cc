@@ -128,7 +128,7 @@ namespace
     Traces singular;
     singular.cause = FailureCause::singular;
     explain("nothing closed", singular);
-    singular.free_motions = {{{"shoe"}, "translation along x"}};
+    singular.free_motions = {{{"shoe"}, "translation along x", {}, {}}};
     explain("free body", singular);
     singular.set_states(ContactState::slip, false);
     explain("free body without pressure", singular);
@@ -138,20 +138,20 @@ namespace
     explain("body that sticks", singular);
 
     // The floor is closed, but another body is free, which it does not touch.
-    singular.free_motions = {{{"brick"}, "translation along y"}};
+    singular.free_motions = {{{"brick"}, "translation along y", {}, {}}};
     for (auto &point : singular.points)
       if (point.pair == 1)
         point.state = ContactState::open;
     explain("free body of another pair", singular);
-    singular.free_motions = {{{"floor"}, "translation along y"}};
+    singular.free_motions = {{{"floor"}, "translation along y", {}, {}}};
     explain("free master that sticks", singular);
-    singular.weakly_held = {{{"brick"}, "rotation about z"}};
+    singular.weakly_held = {{{"brick"}, "rotation about z", {}, {}}};
     explain("weakly held body", singular);
 
     Traces dual;
     dual.cause           = FailureCause::linear_solver;
     dual.reason          = "no convergence in 2000 iterations";
-    dual.held_by_springs = {{{"shoe"}, "translation along x"}};
+    dual.held_by_springs = {{{"shoe"}, "translation along x", {}, {}}};
     explain("a body that contact and springs hold", dual);
   }
 
