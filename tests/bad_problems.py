@@ -150,7 +150,8 @@ CASES = {
         "floating_blocks.prm", blocks_held("Translation = 0, 9, 0") + section("Output", "Verbosity = progress"),
         0, ["0 of 3 points of 'upper' have 'lower' opposite", "can hardly meet", "9 apart"]),
     "a press fit of facets that do not match": (
-        "press_fit.prm", "", 0, ["Warning: contact pair 'fit': the cells do not match", "'Degree = 2' follows"]),
+        "press_fit.prm", interface("Facets = flat", name="fit"), 0,
+        ["Warning: contact pair 'fit': the cells do not match", "'Facets = curved' takes", "'Degree = 2' follows"]),
     "a body that turns, with a law of small strains": (
         "floating_blocks.prm", "".join(condition(body, boundary, "Type = displacement", "Value = x*(cos(0.2*t) - 1) - y*sin(0.2*t); x*sin(0.2*t) + y*(cos(0.2*t) - 1)")
                                        for body, boundary in (("lower", 2), ("upper", 3))) + section("Output", "Verbosity = progress"),

@@ -1,6 +1,7 @@
 #include <stickslip/adaptivity/contact_samples.h>
 
 #include <stickslip/contact/assembly/contact_scales.h>
+#include <stickslip/contact/surface/facet_rise.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -65,7 +66,11 @@ namespace stickslip
               pair.multiplier_shape.evaluate_values(place.xi, L);
               sample.weight = place.weight *
                               combination(slave.extended, around.multiplier, L);
-              double offset = node.gap_offset;
+              double offset =
+                node.gap_offset - rise_between(slave.face,
+                                               place.xi,
+                                               pair.patch->face(m),
+                                               place.eta);
               for (unsigned int k = 0; k < slave.gap_offsets.size(); ++k)
                 offset += sample.N_slave[k] * slave.gap_offsets[k];
               const Tensor<1, dim> r =

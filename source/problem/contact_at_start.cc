@@ -4,6 +4,8 @@
 
 #include <stickslip/problem/overlaps_at_start.h>
 
+#include <stickslip/contact/pairing/segment_depth.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
@@ -105,7 +107,10 @@ namespace stickslip
           ++start.n_paired;
           const double d_n = contact.evaluate(pair, point).kinematics.d_n;
           depths.back()    = d_n;
-          extremes.add(d_n, x);
+          // averages of dual functions are nearer where surfaces are round
+          extremes.add(pair.mortar ? node_depth(pair, point).value_or(d_n)
+                                   : d_n,
+                       x);
         }
       if (pair.mortar)
         {

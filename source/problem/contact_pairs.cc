@@ -140,6 +140,7 @@ namespace stickslip
                                                            surfaces,
                                                            dofs.mapping,
                                                            dofs.dof_handler,
+                                                           supports,
                                                            modulus,
                                                            tool,
                                                            communicator));

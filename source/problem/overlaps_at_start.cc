@@ -1,5 +1,7 @@
 #include <stickslip/problem/overlaps_at_start.h>
 
+#include <stickslip/contact/pairing/segment_depth.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <set>
@@ -110,10 +112,8 @@ namespace stickslip
     std::set<FaceId>          owned; // the others are those of other ranks
     for (const auto &slave : pair.slave_faces)
       owned.insert(slave.face.id);
-    Extremes<dim>        extremes;
-    FacetSums<dim>       sums;
-    std::vector<double>  N_master;
-    FaceShapeValues<dim> values;
+    Extremes<dim>  extremes;
+    FacetSums<dim> sums;
     for (unsigned int f = 0; f < surface.mortar_faces().size(); ++f)
       {
         const MortarFace<dim>   &slave    = surface.mortar_faces()[f];
@@ -122,23 +122,10 @@ namespace stickslip
           continue;
         for (const auto &point : segments.points)
           {
-            surface.slave_shape().evaluate_gradients(point.xi, values);
-            patch.evaluate_values(point.chart, point.eta, N_master);
-            const Tensor<1, dim> x =
-              interpolate<dim>(values.value, slave.positions);
-            const Tensor<1, dim> x_master = interpolate<dim>(
-              N_master,
-              patch.configuration(segments.masters[point.master]).positions);
-            Tensor<1, dim> n =
-              -slave.face.orientation *
-              surface_normal<dim>(
-                surface_tangents<dim>(values.gradient, slave.positions));
-            n /= n.norm();
-            double depth = n * (x - x_master);
-            for (unsigned int k = 0; k < slave.gap_offsets.size(); ++k)
-              depth -= values.value[k] * slave.gap_offsets[k];
-            extremes.add(depth, Point<dim>(x));
-            sums.add_point(point.weight, depth, n);
+            const SegmentDepth<dim> there = segment_depth(
+              surface.slave_shape(), slave, segments, point, patch);
+            extremes.add(there.depth, Point<dim>(there.x));
+            sums.add_point(point.weight, there.depth, there.n);
           }
         sums.finish_face();
       }

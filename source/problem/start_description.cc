@@ -140,7 +140,8 @@ namespace stickslip
     /// Why the pressure of a press fit will be far off; empty: it will not.
     template <int dim>
     std::string
-    about_facets(const ContactAtStart<dim> &start)
+    about_facets(const ContactPairParameters &parameters,
+                 const ContactAtStart<dim>   &start)
     {
       const double ripple = start.facet_ripple;
       // else the surfaces only touch, or do not
@@ -156,10 +157,14 @@ namespace stickslip
            << start.mean_overlap << " in the mean, but by " << ripple
            << " more or less within a face (root mean square). Stiff bodies "
               "turn that into pressures that swing from node to node and may "
-              "be many times too large. 'Degree = 2' follows the curves much "
-              "better (of generators, second-order mesh files, "
-              "'Coordinates'); nodes that match have no such error; cells of "
-              "half the size have a quarter of it, or less.";
+              "be many times too large. "
+           << (parameters.has_curved_facets()
+                 ? ""
+                 : "'Facets = curved' takes the curves from the angles between "
+                   "the faces; ")
+           << "'Degree = 2' follows the curves of generators, second-order "
+              "mesh files and 'Coordinates'; nodes that match have no such "
+              "error; cells of half the size have a quarter of it, or less.";
       return text.str();
     }
 
@@ -207,7 +212,7 @@ namespace stickslip
         const std::string alone = about_distance(start[p]);
         if (!alone.empty())
           lines.push_back(warning + alone);
-        const std::string facets = about_facets(start[p]);
+        const std::string facets = about_facets(pairs[p]->parameters, start[p]);
         if (!facets.empty())
           lines.push_back(warning + facets);
         const std::string bond = about_bond(*pairs[p], start[p]);

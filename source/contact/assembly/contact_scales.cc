@@ -1,5 +1,7 @@
 #include <stickslip/contact/assembly/contact_scales.h>
 
+#include <stickslip/contact/pairing/segment_depth.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
@@ -48,17 +50,11 @@ namespace stickslip
     touches_at_node(const ContactPair<dim>  &pair,
                     const ContactPoint<dim> &point)
     {
-      const Pairing<dim> pairing = pair.find_pairing(point);
-      if (!pairing.paired)
-        return false;
-      const auto &nodes = pair.patch->configuration(pairing.face).positions;
-      const auto  slave = pair.slave_position(point);
-      std::vector<double> N;
-      pair.patch->evaluate_values(pairing.chart, pairing.xi, N);
-      const double d_n =
-        pairing.n * (slave.x - interpolate<dim>(N, nodes)) - slave.gap_offset;
-      return d_n >= -touching_gap *
-                      pair.slave_faces[point.geometry.slave_face].face.diameter;
+      const auto depth = node_depth(pair, point);
+      return depth &&
+             *depth >=
+               -touching_gap *
+                 pair.slave_faces[point.geometry.slave_face].face.diameter;
     }
 
 

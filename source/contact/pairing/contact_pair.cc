@@ -3,7 +3,7 @@
 #include <stickslip/base/user_error.h>
 #include <stickslip/mesh/reference_cells.h>
 
-#include <stickslip/contact/pairing/local_thickness.h>
+#include <stickslip/contact/pairing/pair_faces.h>
 #include <stickslip/contact/pairing/partner_search.h>
 #include <stickslip/contact/point/contact_points.h>
 #include <stickslip/contact/point/handed_over_points.h>
@@ -24,6 +24,7 @@ namespace stickslip
     const PairSurfaces                                    &surfaces,
     const hp::MappingCollection<dim>                      &mapping,
     const DoFHandler<dim>                                 &dof_handler,
+    const Constraints                                     &supports,
     const std::function<double(const types::material_id)> &modulus,
     const ToolMaster<dim>                                 &tool,
     const MPI_Comm                                        &communicator)
@@ -45,15 +46,19 @@ namespace stickslip
     const FaceShape<dim> master_shape(displacement_shape.degree(),
                                       faces_of<dim>(surfaces.master_cells));
 
-    const auto collect = [&](const std::set<types::boundary_id> &boundary,
-                             const std::set<types::boundary_id> &body) {
-      auto faces = collect_faces(mapping, dof_handler, boundary, modulus, true);
-      drop_faces_on_axis(surfaces.cross_section, faces);
-      measure_thickness(dof_handler, body, communicator, faces);
-      return faces;
-    };
-    const auto slaves  = collect(surfaces.slave, surfaces.slave_body);
-    auto       masters = collect(surfaces.master, surfaces.master_body);
+    PairFaceCollector<dim> collector{
+      mapping, dof_handler, supports, modulus, surfaces.cross_section};
+    collector.has_curved_facets = parameters.has_curved_facets();
+    auto slaves                 = collector.collect(surfaces.slave,
+                                    surfaces.slave_body,
+                                    displacement_shape,
+                                    communicator);
+    collector.has_curved_facets &= !tool.tool;
+    auto masters = collector.collect(surfaces.master,
+                                     surfaces.master_body,
+                                     master_shape,
+                                     communicator);
+    drop_rises_of_convex_pairs(masters, communicator, slaves);
     if (parameters.has_smoothed_normals() && !tool.tool)
       add_nodal_normals(masters,
                         master_shape,

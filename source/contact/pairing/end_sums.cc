@@ -9,6 +9,7 @@ namespace stickslip
                         const unsigned int n_master,
                         const unsigned int n_multipliers)
     : area(1, (n_slave + n_master) * dim)
+    , of_rise(1, (n_slave + n_master) * dim)
     , of_slave(n_slave, (n_slave + n_master) * dim)
     , of_master(n_master, (n_slave + n_master) * dim)
     , of_dual(n_multipliers, (n_slave + n_master) * dim)
@@ -61,6 +62,16 @@ namespace stickslip
 
   template <int dim>
   void
+  EndSums<dim>::add_to_rise(const double               factor,
+                            const std::vector<double> &motion)
+  {
+    add_scaled(factor, motion, &of_rise(0, 0));
+  }
+
+
+
+  template <int dim>
+  void
   EndSums<dim>::move_to(MortarDerivative<dim>                  &derivative,
                         const typename MortarNode<dim>::Around &around,
                         const FaceIntegrals<dim>               &integrals,
@@ -78,7 +89,12 @@ namespace stickslip
           D(row, columns[k]) += factor * values(of_row, k);
     };
     for (unsigned int k = 0; k < columns.size(); ++k)
-      derivative.D_area[columns[k]] += area(0, k);
+      {
+        derivative.D_area[columns[k]] += area(0, k);
+        derivative.D_rise[columns[k]] += of_rise(0, k);
+        for (unsigned int m = 0; m < of_dual.m(); ++m)
+          derivative.D_rise[columns[k]] += integrals.rise[m] * of_dual(m, k);
+      }
     for (unsigned int j = 0; j < of_slave.m(); ++j)
       {
         const unsigned int own = around.stencil[j];
@@ -93,7 +109,8 @@ namespace stickslip
           for (unsigned int i = 0; i < rows.size(); ++i)
             add(integrals.M[i](m, j), of_dual, m, derivative.D_M, rows[i][j]);
       }
-    for (FullMatrix<double> *sums : {&area, &of_slave, &of_master, &of_dual})
+    for (FullMatrix<double> *sums :
+         {&area, &of_rise, &of_slave, &of_master, &of_dual})
       *sums = 0.;
   }
 

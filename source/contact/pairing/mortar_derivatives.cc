@@ -4,6 +4,7 @@
 #include <stickslip/contact/pairing/end_sums.h>
 #include <stickslip/contact/pairing/partner_motion.h>
 #include <stickslip/contact/pairing/tool_motion.h>
+#include <stickslip/contact/surface/facet_rise.h>
 
 #include <algorithm>
 #include <map>
@@ -83,6 +84,12 @@ namespace stickslip
           sums.add_to_slave(k, psi * N[k], motion);
         for (unsigned int k = 0; k < N_master.size(); ++k)
           sums.add_to_master(k, psi * N_master[k], motion);
+        sums.add_to_rise(psi * rise_between(slave.face,
+                                            end.xi,
+                                            patch.face(
+                                              segments.masters[end.master]),
+                                            end.eta),
+                         motion);
         // dual functions stay dual on the part that has a master:
         // D psi_l = sum_m y_m psi_m, y_m from the derivative of D M^-1
         if (slave.weighting_kind == WeightingFunctions::dual)
@@ -167,6 +174,7 @@ namespace stickslip
     const unsigned int n_slave = node.n_stencil_nodes();
     derivative.D_M.reinit(average.n_master_nodes(),
                           (n_slave + average.n_master_nodes()) * dim);
+    derivative.D_rise.assign(derivative.D_M.n(), 0.);
     derivative.D_normal.assign(n_slave + average.n_master_nodes(),
                                Tensor<2, dim>());
     if (frame.is_of_corner && average.paired && patch.tool() == nullptr)
@@ -221,9 +229,12 @@ namespace stickslip
               rows[i].push_back(numbers.at(master.dofs[k * dim]));
             const auto  columns = around.columns(n_slave, rows[i]);
             const auto &D_M_i   = D_M[i][around.multiplier];
-            for (unsigned int l = 0; l < D_M_i.m(); ++l)
+            for (unsigned int l = 0; l < master.n_nodes; ++l)
               for (unsigned int k = 0; k < columns.size(); ++k)
                 derivative.D_M(rows[i][l], columns[k]) += D_M_i(l, k);
+            if (!master.rise.empty())
+              for (unsigned int k = 0; k < columns.size(); ++k)
+                derivative.D_rise[columns[k]] += D_M_i(master.n_nodes, k);
           }
         if (of_face.ends.empty())
           continue;

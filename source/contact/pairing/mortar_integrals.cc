@@ -2,6 +2,7 @@
 
 #include <stickslip/contact/pairing/corner_normals.h>
 #include <stickslip/contact/pairing/corner_tangents.h>
+#include <stickslip/contact/surface/facet_rise.h>
 
 #include <algorithm>
 #include <cmath>
@@ -197,6 +198,7 @@ namespace stickslip
     FaceIntegrals<dim> integrals;
     integrals.area.assign(n_multipliers, 0.);
     integrals.variation.assign(n_multipliers, 0.);
+    integrals.rise.assign(n_multipliers, 0.);
     integrals.D.reinit(n_multipliers, n_nodes);
     integrals.M.assign(segments.masters.size(),
                        FullMatrix<double>(n_multipliers, n_master));
@@ -207,6 +209,11 @@ namespace stickslip
         multiplier_shape.evaluate_values(point.xi, L);
         displacement_shape.evaluate_values(point.xi, N);
         patch.evaluate_values(point.chart, point.eta, N_master);
+        const double rise =
+          rise_between(slave.face,
+                       point.xi,
+                       patch.face(segments.masters[point.master]),
+                       point.eta);
         for (unsigned int l = 0; l < n_multipliers; ++l)
           {
             const double psi =
@@ -215,6 +222,7 @@ namespace stickslip
               continue;
             integrals.area[l] += psi;
             integrals.variation[l] += std::abs(psi);
+            integrals.rise[l] += psi * rise;
             for (unsigned int k = 0; k < n_nodes; ++k)
               integrals.D(l, k) += psi * N[k];
             for (unsigned int k = 0; k < n_master; ++k)
@@ -257,6 +265,7 @@ namespace stickslip
       {
         const MortarFace<dim>    &slave    = faces[around.face];
         const FaceIntegrals<dim> &integral = integrals[around.face];
+        average.rise += integral.rise[around.multiplier];
         for (unsigned int k = 0; k < slave.face.n_nodes; ++k)
           {
             const double D = integral.D(around.multiplier, k);
@@ -308,7 +317,9 @@ namespace stickslip
     average.x /= average.area;
     average.r /= average.area;
     average.w /= average.area;
-    average.gap_offset = average.gap_offset / average.area + node.gap_offset;
+    average.rise /= average.area;
+    average.gap_offset =
+      average.gap_offset / average.area + node.gap_offset - average.rise;
     average.main_master =
       std::max_element(shares.begin(), shares.end(), [](auto &a, auto &b) {
         return a.second < b.second;

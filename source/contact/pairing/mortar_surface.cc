@@ -218,7 +218,7 @@ namespace stickslip
       {
         const Tensor<1, dim> &r = averages[i].r;
         Tensor<1, dim>        along;
-        along[0] = current->frames[i].n * r;
+        along[0] = current->frames[i].n * r + averages[i].rise;
         for (unsigned int b = 0; b < dim - 1; ++b)
           along[1 + b] = current->frames[i].tau[b] * r;
         kept_positions.push_back(along);

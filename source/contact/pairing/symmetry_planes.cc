@@ -52,30 +52,44 @@ namespace stickslip
 
 
   template <int dim>
+  std::vector<Tensor<1, dim>>
+  held_directions(const types::global_dof_index first,
+                  const Constraints            &supports)
+  {
+    std::vector<Tensor<1, dim>> directions;
+    for (unsigned int c = 0; c < dim; ++c)
+      if (supports.is_constrained(first + c))
+        directions.push_back(held_direction<dim>(first, c, supports));
+    if (directions.size() == dim)
+      directions.clear();
+    return directions;
+  }
+
+
+
+  template <int dim>
   Tensor<2, dim>
   symmetry_projection(const std::vector<Point<dim>>              &positions,
                       const std::vector<types::global_dof_index> &dofs,
                       const unsigned int                          own,
                       const Constraints                          &supports)
   {
-    const Tensor<2, dim> identity   = unit_symmetric_tensor<dim>();
-    Tensor<2, dim>       projection = identity;
-    unsigned int         n_held     = 0;
-    for (unsigned int c = 0; c < dim; ++c)
+    Tensor<2, dim> projection = unit_symmetric_tensor<dim>();
+    for (Tensor<1, dim> n : held_directions<dim>(dofs[own * dim], supports))
       {
-        if (!supports.is_constrained(dofs[own * dim + c]))
-          continue;
-        ++n_held;
-        Tensor<1, dim> n = held_direction<dim>(dofs[own * dim], c, supports);
         if (!are_on_one_side(positions, positions[own], n))
           continue;
         n = projection * n;
         n /= n.norm();
         projection -= outer_product(n, n);
       }
-    return n_held < dim ? projection : identity;
+    return projection;
   }
 
+  template std::vector<Tensor<1, 2>>
+  held_directions(const types::global_dof_index, const Constraints &);
+  template std::vector<Tensor<1, 3>>
+  held_directions(const types::global_dof_index, const Constraints &);
   template Tensor<2, 2>
   symmetry_projection(const std::vector<Point<2>> &,
                       const std::vector<types::global_dof_index> &,

@@ -38,6 +38,16 @@ namespace stickslip
 
 
 
+  const Choices<Facets> &
+  all_facets()
+  {
+    static const Choices<Facets> choices = {{"curved", Facets::curved},
+                                            {"flat", Facets::flat}};
+    return choices;
+  }
+
+
+
   const Choices<Normals> &
   all_normals()
   {
@@ -133,6 +143,17 @@ namespace stickslip
                  "With 'Quadrature = segments': what gap and slip are averaged "
                  "with, the multipliers' shape functions or the functions dual "
                  "(biorthogonal) to them."));
+    add_choice(prm,
+               "Facets",
+               facets,
+               all_facets(),
+               "What the facets of straight cells stand for, with "
+               "'Quadrature = segments'. curved: the smooth surface through "
+               "their vertices, whose curvature is taken from the angles "
+               "between neighbours (up to 42 degrees): gaps are those of this "
+               "surface, where one of the two is concave somewhere; else the "
+               "slave keeps its facets. flat: themselves, for bodies that "
+               "really are polygons.");
     add_choice(prm,
                "Normals",
                normals,

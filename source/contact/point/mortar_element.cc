@@ -94,6 +94,10 @@ namespace stickslip
                 columns[k][dim + i] -= D_share * average.master_motions[l][i];
               }
           }
+      // the rise of facets counts along n, as r does in the gap
+      for (unsigned int k = 0; k < derivative->D_rise.size(); ++k)
+        for (unsigned int i = 0; i < dim; ++i)
+          columns[k][i] += derivative->D_rise[k] / area * element.frame.n[i];
       if (!derivative->D_area.empty())
         add_end_motion(element, *derivative, columns);
       return columns;
@@ -171,9 +175,8 @@ namespace stickslip
             for (unsigned int l = 0; l < element.average.n_master_nodes(); ++l)
               write(n_slave + l, -element.average.M[l]);
           }
-      const unsigned int first = element.n_displacements();
-      const auto        &rotation =
-        element.point.nodal_rotations[element.own_multiplier];
+      const unsigned int first    = element.n_displacements();
+      const auto        &rotation = element.rotation();
       for (unsigned int k = 0; k < D.size(); ++k)
         {
           local(first, k) = element.weight() * D[k].row_lambda;
@@ -195,9 +198,8 @@ namespace stickslip
                    const MortarDerivative<dim> &derivative,
                    FullMatrix<double>          &local)
     {
-      const auto &rotation =
-        element.point.nodal_rotations[element.own_multiplier];
-      const unsigned int first = element.n_displacements();
+      const auto        &rotation = element.rotation();
+      const unsigned int first    = element.n_displacements();
       for (unsigned int j = 0; j < element.average.D.size(); ++j)
         for (unsigned int c = 0; c < dim; ++c)
           for (unsigned int k = 0; k < derivative.D_area.size(); ++k)
@@ -296,8 +298,7 @@ namespace stickslip
         }
     const unsigned int first = element.n_displacements();
     local[first]             = element.weight() * response.row_lambda;
-    const auto &rotation =
-      element.point.nodal_rotations[element.own_multiplier];
+    const auto &rotation     = element.rotation();
     for (unsigned int b = 0; b + 1 < element.n_multiplier_components; ++b)
       for (unsigned int a = 0; a < dim - 1; ++a)
         local[first + 1 + b] +=
@@ -356,8 +357,7 @@ namespace stickslip
       }
     D.emplace_back();
     D.back().add(response, G::lambda, 1.);
-    const auto &rotation =
-      element.point.nodal_rotations[element.own_multiplier];
+    const auto &rotation = element.rotation();
     for (unsigned int b = 0; b + 1 < element.n_multiplier_components; ++b)
       {
         D.emplace_back();

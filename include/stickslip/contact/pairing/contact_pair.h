@@ -80,14 +80,17 @@ namespace stickslip
   {
   public:
     /**
-     * @p modulus is the longitudinal modulus of a cell by material id
-     * (infinity: rigid), @p tool the master if it is a rigid tool. Throws UserError (same on all ranks). Collective.
+     * @p supports (closed) are what holds nodes for good, @p modulus is the
+     * longitudinal modulus of a cell by material id (infinity: rigid), @p tool
+     * the master if it is a rigid tool. Throws UserError (same on all ranks).
+     * Collective.
      */
     ContactPair(const std::string                &name,
                 const ContactPairParameters      &parameters,
                 const PairSurfaces               &surfaces,
                 const hp::MappingCollection<dim> &mapping,
                 const DoFHandler<dim>            &dof_handler,
+                const Constraints                &supports,
                 const std::function<double(const types::material_id)> &modulus,
                 const ToolMaster<dim>                                 &tool,
                 const MPI_Comm &communicator);

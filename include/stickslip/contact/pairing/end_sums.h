@@ -49,6 +49,10 @@ namespace stickslip
     void
     add_to_area(const double factor, const std::vector<double> &motion);
 
+    /// psi times the rise of both faces.
+    void
+    add_to_rise(const double factor, const std::vector<double> &motion);
+
     /// Adds the sums, which are of @p master, to @p derivative and begins anew.
     /// @p rows are the numbers of the nodes of each master.
     void
@@ -60,6 +64,7 @@ namespace stickslip
 
   private:
     FullMatrix<double> area;      ///< [0][column]: of the area
+    FullMatrix<double> of_rise;   ///< [0][column]: of the rise
     FullMatrix<double> of_slave;  ///< [node][column]
     FullMatrix<double> of_master; ///< [node][column]
     FullMatrix<double> of_dual;   ///< [multiplier][column]

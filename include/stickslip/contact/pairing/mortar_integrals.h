@@ -19,6 +19,8 @@ namespace stickslip
     std::vector<double>             variation; ///< of |psi_l|
     FullMatrix<double>              D;         ///< psi_l N_k: [l][slave node]
     std::vector<FullMatrix<double>> M;         ///< [master][l][master node]
+    /// Of psi_l times the rise of both surfaces (facet_rise.h).
+    std::vector<double> rise;
   };
 
 

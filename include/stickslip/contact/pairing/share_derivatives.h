@@ -20,7 +20,8 @@ namespace stickslip
   class ShareDerivatives
   {
   public:
-    /// Of one master face: [l](i, column), i a node of the master and columns
+    /// Of one master face: [l](i, column), i a node of the master, or after
+    /// these the rise of the master (facet_rise.h) in place of N; columns
     /// (slave nodes, master nodes) * dim.
     using OfMaster = std::vector<FullMatrix<double>>;
 

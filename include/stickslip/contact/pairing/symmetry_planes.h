@@ -12,6 +12,13 @@ namespace stickslip
 {
   using namespace dealii;
 
+  /// The unit vectors along which @p supports (closed) hold the node that begins
+  /// with dof @p first; none if it cannot move at all.
+  template <int dim>
+  std::vector<Tensor<1, dim>>
+  held_directions(const types::global_dof_index first,
+                  const Constraints            &supports);
+
   /**
    * The projection onto the symmetry planes that a node of a surface lies on.
    * A plane is one if the node cannot move across it (@p supports, closed), and

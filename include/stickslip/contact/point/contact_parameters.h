@@ -61,6 +61,16 @@ namespace stickslip
   const Choices<Normals> &
   all_normals();
 
+  /// What the facets of straight cells stand for, with segments.
+  enum class Facets
+  {
+    curved, ///< a smooth surface (facet_rise.h)
+    flat    ///< themselves
+  };
+
+  const Choices<Facets> &
+  all_facets();
+
   /**
    * One pair of surfaces that may touch: who is slave and master, the law
    * between them and how it is discretized.
@@ -83,6 +93,7 @@ namespace stickslip
     unsigned int       quadrature_order = 2;
     WeightingFunctions weighting        = WeightingFunctions::dual;
 
+    Facets                   facets               = Facets::curved;
     Normals                  normals              = Normals::smoothed;
     double                   smoothing_angle      = 60.;
     double                   search_distance      = 0.;
@@ -162,6 +173,13 @@ namespace stickslip
     has_smoothed_normals() const
     {
       return normals == Normals::smoothed && !has_segments();
+    }
+
+    /// True if gaps are those of the smooth surfaces behind the facets.
+    bool
+    has_curved_facets() const
+    {
+      return facets == Facets::curved && has_segments();
     }
 
     /// True if the converged state does not depend on the regularization

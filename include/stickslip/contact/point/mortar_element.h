@@ -36,6 +36,13 @@ namespace stickslip
     {
       return average.paired ? average.area : node.area;
     }
+
+    /// Of Lambda at the node.
+    const Tensor<2, dim - 1> &
+    rotation() const
+    {
+      return point.nodal_rotations[own_multiplier];
+    }
   };
 
 

@@ -129,7 +129,8 @@ namespace stickslip
     Tensor<1, dim> r;                ///< averaged x_s - x_m
     Tensor<1, dim> w;                ///< averaged motion of the step, s - m
     Tensor<1, dim> x;                ///< averaged x_s
-    double         gap_offset  = 0.; ///< averaged
+    double         rise        = 0.; ///< averaged, of both surfaces' facets
+    double         gap_offset  = 0.; ///< averaged, less that rise
     unsigned int   main_master = 0;  ///< face with the largest share
 
     unsigned int
@@ -159,6 +160,7 @@ namespace stickslip
     FullMatrix<double>  D_M;    ///< [master node][column]
     FullMatrix<double>  D_D;    ///< [node of the stencil][column]; or empty
     std::vector<double> D_area; ///< [column]; or empty: no end of the master
+    std::vector<double> D_rise; ///< [column], of psi_j times the facets' rise
     /// Of the sum of unit normals, per node of the stencil and per master node.
     std::vector<Tensor<2, dim>> D_normal;
   };

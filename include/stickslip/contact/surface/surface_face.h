@@ -94,6 +94,11 @@ namespace stickslip
     double thickness = std::numeric_limits<double>::infinity();
     std::vector<std::vector<NormalContribution<dim>>>
       nodal_normals; ///< empty: facet normals
+    /// How far the smooth surface behind a straight facet is outside of it
+    /// where nothing is deformed [length]: over the middles of its edges (of a
+    /// quadrilateral edge 2 d + s at xi_d = s, of a triangle edge e from node e
+    /// on, one of a line). Empty: it is not.
+    std::vector<double> rise;
 
     unsigned int
     n_stencil_nodes() const
@@ -114,7 +119,7 @@ namespace stickslip
     serialize(Archive &archive, const unsigned int)
     {
       archive &id &owner &n_nodes &dofs &reference_positions &orientation
-        &compliance &diameter &thickness &nodal_normals;
+        &compliance &diameter &thickness &nodal_normals &rise;
     }
   };
 

@@ -1,0 +1,56 @@
+#ifndef stickslip_contact_pairing_pair_faces_h
+#define stickslip_contact_pairing_pair_faces_h
+
+#include <stickslip/contact/surface/surface_face.h>
+
+#include <stickslip/mesh/cross_section.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/hp/mapping_collection.h>
+
+#include <functional>
+#include <set>
+#include <vector>
+
+namespace stickslip
+{
+  /// Collects the faces of the surfaces of a pair, with all that has to be
+  /// measured where nothing is deformed.
+  template <int dim>
+  struct PairFaceCollector
+  {
+    const hp::MappingCollection<dim> &mapping;
+    const DoFHandler<dim>            &dof_handler;
+    const Constraints                &supports; ///< closed
+    /// Longitudinal modulus of a cell by material id; infinity: rigid.
+    const std::function<double(const types::material_id)> &modulus;
+    const CrossSection                                    &cross_section;
+    bool has_curved_facets = false; ///< they stand for a smooth surface
+
+    /**
+     * The faces with the ids @p boundary of the body with the ids
+     * @p boundary_of_body, ghosts included, sorted; their shape is @p shape.
+     * With thickness and rise, without nodal normals. Collective.
+     */
+    std::vector<CollectedFace<dim>>
+    collect(const std::set<types::boundary_id> &boundary,
+            const std::set<types::boundary_id> &boundary_of_body,
+            const FaceShape<dim>               &shape,
+            const MPI_Comm                     &communicator) const;
+  };
+
+  /**
+   * Takes the rises of the @p slaves away if neither they nor the @p masters
+   * are partly concave: the surfaces only touch, and averages of dual
+   * functions over a gap like s^2/2R are negative, so that nodes would close
+   * h^2/12R too early. The facets are exact at the nodes. Collective.
+   */
+  template <int dim>
+  void
+  drop_rises_of_convex_pairs(const std::vector<CollectedFace<dim>> &masters,
+                             const MPI_Comm                  &communicator,
+                             std::vector<CollectedFace<dim>> &slaves);
+} // namespace stickslip
+
+#endif
