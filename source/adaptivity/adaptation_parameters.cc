@@ -53,8 +53,9 @@ namespace stickslip
                "fraction of it. 'fixed number': these fractions of the cells. "
                "'error target': those with more than the share of Error "
                "target that falls to each cell (with four times as much where "
-               "the whole error is below the target), and those with much "
-               "less. Cells of rigid bodies do not count. ('contact zone' and "
+               "the whole error is below the target), by up to three levels, "
+               "and those with much less. Cells of rigid bodies do not count. "
+               "('contact zone' and "
                "'contact edge' mark "
                "their cells, whatever stands here.)");
     prm.add_parameter(
@@ -70,7 +71,7 @@ namespace stickslip
                all_repetitions(),
                "Which steps are solved once more, from where they began, on a "
                "mesh that is finer where their solution wants that, until it "
-               "does not.");
+               "does not, or for few cells only.");
     prm.add_parameter("Most repetitions",
                       most_repetitions,
                       "Of one step.",

@@ -1,6 +1,7 @@
 #include <stickslip/adaptivity/cell_transfer.h>
 
 #include <deal.II/base/geometry_info.h>
+#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 
@@ -43,6 +44,7 @@ namespace stickslip
                                   const Quadrature<dim>    &quadrature)
     : element(element)
     , n_points(quadrature.size())
+    , smooth_decrease(Utilities::fixed_power<2>(1. / (1 << element.degree)))
   {
     using Cell = GeometryInfo<dim>;
     nearest_of_parent.resize(Cell::max_children_per_cell);
@@ -115,6 +117,7 @@ namespace stickslip
       {
         CellRecord &record = children[child];
         record.in_body     = on_child(parent.in_body, child);
+        record.indicator = smooth_decrease * parent.indicator / children.size();
         for (const unsigned int q : nearest_of_parent[child])
           append_point(parent.history, q, n_points, record.history);
         for (const auto &surface : parent.on_surfaces)
@@ -137,6 +140,7 @@ namespace stickslip
     for (unsigned int child = 0; child < children.size(); ++child)
       {
         take_from(children[child].in_body, child, parent.in_body);
+        parent.indicator += children[child].indicator;
         // a child without a face on the surface knows nothing of its nodes
         for (const auto &surface : children[child].on_surfaces)
           {

@@ -15,13 +15,11 @@
 
 namespace stickslip
 {
-
-
-
   template <int dim>
-  StateTransfer<dim>::StateTransfer(ContactProblem<dim> &problem,
-                                    const double         time,
-                                    const MeshState     &state)
+  StateTransfer<dim>::StateTransfer(ContactProblem<dim>  &problem,
+                                    const double          time,
+                                    const MeshState      &state,
+                                    const Vector<double> &indicators)
     : element(
         make_element<dim>(problem.layout().cells(), problem.layout().degree()))
     , transfer(*element,
@@ -69,6 +67,8 @@ namespace stickslip
           const auto history = problem.solid().point_history().accepted_of_cell(
             cell->active_cell_index());
           record.history.assign(history.begin(), history.end());
+          if (indicators.size() > 0)
+            record.indicator = indicators[cell->active_cell_index()];
         }
     add_surfaces(problem, results, records);
   }
@@ -124,6 +124,18 @@ namespace stickslip
           }
       });
     records = std::move(moved);
+  }
+
+
+
+  template <int dim>
+  Vector<double>
+  StateTransfer<dim>::expected_indicators() const
+  {
+    Vector<double> indicators(records.size());
+    for (unsigned int i = 0; i < records.size(); ++i)
+      indicators[i] = records[i].indicator;
+    return indicators;
   }
 
 

@@ -19,6 +19,16 @@ namespace stickslip
 
 
 
+    /// Where the whole error is below the target, cells become finer if they
+    /// have more than that of the square of the target, all together.
+    constexpr double worthwhile_share_of_the_target = 0.05;
+
+    /// Levels by which a cell may become finer for what one estimate says: on
+    /// cells as large as the contact it is too uncertain for more.
+    constexpr unsigned int most_levels_of_an_estimate = 3;
+
+
+
     /// Largest change of a force, over the largest force.
     template <int dim>
     double
@@ -75,19 +85,41 @@ namespace stickslip
 
   template <int dim>
   typename MeshAdaptation<dim>::Flagged
-  MeshAdaptation<dim>::mark()
+  MeshAdaptation<dim>::mark(const ErrorEstimate &estimate)
   {
-    mark_cells(*error.get(), parameters, mesh.bodies, *p4est);
+    mark_cells(estimate, parameters, mesh.bodies, *p4est);
     Flagged flagged;
     for (const auto &cell : p4est->active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          flagged.refined += cell->refine_flag_set() ? 1. : 0.;
+          if (cell->refine_flag_set())
+            {
+              flagged.refined += 1.;
+              flagged.error_of_refined +=
+                estimate.indicators[cell->active_cell_index()];
+            }
           flagged.coarsened += cell->coarsen_flag_set() ? 1. : 0.;
         }
     const MPI_Comm communicator = p4est->get_communicator();
     return {Utilities::MPI::sum(flagged.refined, communicator),
+            Utilities::MPI::sum(flagged.error_of_refined, communicator),
             Utilities::MPI::sum(flagged.coarsened, communicator)};
+  }
+
+
+
+  template <int dim>
+  bool
+  MeshAdaptation<dim>::should_be_finer(const Flagged &flagged) const
+  {
+    const ErrorEstimate &estimate = *error.get();
+    if (estimate.is_rule || parameters.marking != Marking::error_target)
+      return flagged.refined > 0.;
+    const double target = parameters.error_target * estimate.energy_norm;
+    return flagged.refined > 0. &&
+           (estimate.error > target ||
+            flagged.error_of_refined >
+              worthwhile_share_of_the_target * target * target);
   }
 
 
@@ -106,7 +138,7 @@ namespace stickslip
       return false;
     levels = 1;
     make_estimate(problem, x);
-    const bool is_wanted = mark().refined > 0.;
+    const bool is_wanted = should_be_finer(mark());
     repetitions += is_wanted ? 1 : 0;
     return is_wanted;
   }
@@ -122,9 +154,40 @@ namespace stickslip
       return false;
     levels               = 1;
     const Flagged wanted = mark();
-    return wanted.refined > 0. ||
+    return should_be_finer(wanted) ||
            wanted.coarsened >
              worthwhile_share_of_coarse_cells * p4est->n_global_active_cells();
+  }
+
+
+
+  template <int dim>
+  bool
+  MeshAdaptation<dim>::expects_finer(const Vector<double> &expected)
+  {
+    const ErrorEstimate *estimate = error.get();
+    if (estimate == nullptr || estimate->is_rule ||
+        parameters.marking != Marking::error_target ||
+        levels == most_levels_of_an_estimate)
+      return false;
+    ++levels;
+    const bool is_wanted = mark(estimate_of(expected,
+                                            /*is_rule=*/false,
+                                            estimate->energy_norm,
+                                            p4est->get_communicator()))
+                             .refined > 0.;
+    clear_coarsen_flags();
+    return is_wanted;
+  }
+
+
+
+  template <int dim>
+  void
+  MeshAdaptation<dim>::clear_coarsen_flags()
+  {
+    for (const auto &cell : p4est->active_cell_iterators())
+      cell->clear_coarsen_flag();
   }
 
 
@@ -140,9 +203,8 @@ namespace stickslip
     ++levels;
     make_estimate(problem, x);
     const bool is_wanted = mark().refined > 0.;
-    error.forget(); // the mesh has been adapted to the state
-    for (const auto &cell : p4est->active_cell_iterators())
-      cell->clear_coarsen_flag(); // they will be, after the next step
+    error.forget();        // the mesh has been adapted to the state
+    clear_coarsen_flags(); // they will be, after the next step
     return is_wanted;
   }
 

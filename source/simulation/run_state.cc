@@ -122,16 +122,18 @@ namespace stickslip
 
   template <int dim>
   double
-  RunState<dim>::adapt_mesh(
-    const double                               time,
-    parallel::distributed::Triangulation<dim> &triangulation)
+  RunState<dim>::adapt_mesh(const double time, MeshAdaptation<dim> &adaptation)
   {
     StateTransfer<dim> transfer(problem(),
                                 time,
-                                {accepted.x, accepted.rate, x});
+                                {accepted.x, accepted.rate, x},
+                                adaptation.indicators());
     discretization.reset();
-    transfer.execute(triangulation);
+    do
+      transfer.execute(adaptation.triangulation());
+    while (adaptation.expects_finer(transfer.expected_indicators()));
     discretize();
+    step_solver().begin_on_other_mesh();
     const MeshState state     = transfer.put_into(problem(), time);
     const double    imbalance = problem().residual(state.x).equilibrium;
     accepted.x                = state.x;
@@ -153,8 +155,10 @@ namespace stickslip
     const bool            has_guess  = x_is_guess;
     const auto            keep_guess = [&]() {
       x_is_guess = has_guess;
-      if (has_guess)
-        x = guess;
+      if (!has_guess)
+        return;
+      x = guess;
+      step_solver().begin_on_other_mesh();
     };
     problem().solid().stabilization().begin_step(
       step_control.steps().step_size());

@@ -180,8 +180,7 @@ namespace stickslip
     problem().configure(state.accepted.x, true);
     const auto before = resultants_of(contact_results(problem().contact()));
     do
-      log.note(adaptation.record_new_mesh(
-        state.adapt_mesh(time, adaptation.triangulation())));
+      log.note(adaptation.record_new_mesh(state.adapt_mesh(time, adaptation)));
     while (adaptation.wants_another_level(problem(), state.accepted.x));
     output.locate(problem());
     if (steps().step_number() == 0)

@@ -34,7 +34,8 @@ namespace stickslip
                         LinearSolver              &linear_solver,
                         StatusCycleTreatment<dim> &cycle_treatment,
                         ConvergenceLog            &log,
-                        const StopRequests        &stop_requests)
+                        const StopRequests        &stop_requests,
+                        const bool                 is_on_other_mesh)
         : attempt(attempt)
         , increment_solver(increment_solver)
         , problem(problem)
@@ -43,6 +44,7 @@ namespace stickslip
         , log(log)
         , stop_requests(stop_requests)
         , continuation(problem.contact())
+        , compares(!is_on_other_mesh)
       {}
 
       void
@@ -67,6 +69,7 @@ namespace stickslip
         state.contact     = norms.contact;
         state.prescribed  = norms.prescribed;
         state.merit       = norms.merit;
+        state.compares    = compares;
         continuation.observe(norms.merit);
         return state;
       }
@@ -84,6 +87,7 @@ namespace stickslip
                                 " Newton iterations, the budget of an attempt",
                               FailureCause::budget);
         ++problem.counts.newton_iterations;
+        compares = true;
         if (increment_solver == IncrementSolver::projected_conjugate_gradient)
           solve_dual_increment(problem, x, increment);
         else
@@ -168,6 +172,7 @@ namespace stickslip
       LawContinuation<dim>       continuation;
       unsigned int               n_stagnating      = 0; ///< iterations in a row
       bool                       has_treated_cycle = false; ///< in this solve
+      bool                       compares; ///< NewtonIteration::compares
       DescentMonitor             descent;
 
       CycleTreatment
@@ -249,6 +254,7 @@ namespace stickslip
           prepare(attempt);
           make(attempt, x);
           verify(x);
+          is_on_other_mesh = false;
           return attempt;
         }
       catch (const NoConvergence &failure)
@@ -300,7 +306,8 @@ namespace stickslip
                                           linear_solver,
                                           cycle_treatment,
                                           log,
-                                          stop_requests);
+                                          stop_requests,
+                                          is_on_other_mesh);
     const NewtonSolver     newton_solver(parameters.algorithm.newton,
                                      newton_problem);
     const NestedFixedPoint fixed_point(

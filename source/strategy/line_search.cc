@@ -46,6 +46,8 @@ namespace stickslip
     if (*prescribed_at_start > 0. &&
         state.prescribed > negligible_share * *prescribed_at_start)
       return;
+    if (!state.compares)
+      return;
     last_merits.push_back(state.merit);
     if (last_merits.size() > n_remembered_iterates)
       last_merits.pop_front();

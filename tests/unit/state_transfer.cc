@@ -62,6 +62,7 @@ namespace
     for (unsigned int q = 0; q < quadrature.size(); ++q)
       for (const double number : {1. * q, 100. + q})
         parent.history.push_back(number);
+    parent.indicator = 3.;
 
     const auto          children = transfer.to_children(parent);
     double              error    = 0.;
@@ -86,6 +87,9 @@ namespace
     for (unsigned int q = 0; q < quadrature.size(); ++q)
       lost = std::max(lost,
                       std::abs(integral_of_children[q] - quadrature.weight(q)));
+    double of_children = 0.;
+    for (const CellRecord &child : children)
+      of_children += child.indicator;
     const CellRecord again  = transfer.to_parent(children);
     double           change = 0.;
     for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i)
@@ -97,7 +101,11 @@ namespace
           ": error on children " + in_words(error) + ", of the integral of a " +
           "history " + in_words(lost) + "; on the parent again " +
           in_words(change) + ", history " +
-          (again.history == parent.history ? "as it was" : "of other points"));
+          (again.history == parent.history ? "as it was" : "of other points") +
+          "; the indicator falls to " +
+          in_words(of_children / parent.indicator) +
+          ", on the parent it changes by " +
+          in_words(again.indicator - of_children));
   }
 
 
@@ -322,19 +330,50 @@ namespace
     problem->begin_iteration(x);
     compare(*problem, x, rate, 0.25, Lambda);
 
+    const auto flag_cells = [&](const double border) {
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            if (cell->center()[0] < border && cell->level() < 2)
+              cell->set_refine_flag();
+            else if (cell->center()[0] > border && cell->level() > 0)
+              cell->set_coarsen_flag();
+          }
+    };
+    // of a smooth solution
+    const auto smooth_indicators = [&]() {
+      Vector<double> indicators(triangulation.n_active_cells());
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (cell->is_locally_owned())
+          indicators[cell->active_cell_index()] =
+            std::pow(2., -(2. * degree + dim) * cell->level());
+      return indicators;
+    };
     for (const double border : {1.2, 2.1, 0.4, -10.})
       {
-        for (const auto &cell : triangulation.active_cell_iterators())
-          if (cell->is_locally_owned())
-            {
-              if (cell->center()[0] < border && cell->level() < 2)
-                cell->set_refine_flag();
-              else if (cell->center()[0] > border && cell->level() > 0)
-                cell->set_coarsen_flag();
-            }
-        StateTransfer<dim> transfer(*problem, 0., {x, rate, x});
+        flag_cells(border);
+        StateTransfer<dim> transfer(*problem,
+                                    0.,
+                                    {x, rate, x},
+                                    smooth_indicators());
         problem.reset();
         transfer.execute(triangulation);
+        if (border == 2.1) // two levels in one transfer
+          {
+            flag_cells(border);
+            transfer.execute(triangulation);
+          }
+        // on parents they are those of the children
+        const auto expected = transfer.expected_indicators();
+        const auto smooth   = smooth_indicators();
+        double     ratio    = 0.;
+        for (const auto &cell : triangulation.active_cell_iterators())
+          if (cell->is_locally_owned())
+            ratio = std::max(ratio,
+                             expected[cell->active_cell_index()] /
+                               smooth[cell->active_cell_index()]);
+        print("  indicators over those of a smooth solution at most " +
+              in_words(Utilities::MPI::max(ratio, MPI_COMM_WORLD)));
         problem               = make();
         const MeshState state = transfer.put_into(*problem, 0.);
         x                     = state.x;

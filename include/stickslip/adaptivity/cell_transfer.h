@@ -39,12 +39,15 @@ namespace stickslip
     NodalField             in_body;
     std::vector<double>    history; ///< of the quadrature points, one by one
     std::vector<OnSurface> on_surfaces;
+    /// ErrorEstimator::indicators() where there is an estimate: its own or,
+    /// after a transfer, the one to expect.
+    double indicator = 0.;
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &in_body &history &on_surfaces;
+      archive &in_body &history &on_surfaces &indicator;
     }
   };
 
@@ -57,6 +60,10 @@ namespace stickslip
    * nearest point that was there, so that they are as admissible as before
    * (a mean of two plastic deformation gradients is none). In cells of degree 1
    * each of the four (eight) points goes to one child, which keeps integrals.
+   * Indicators are squares of errors, of which smooth solutions leave a fourth
+   * of each degree on children, all in all; at kinks and edges they leave more.
+   * A parent has those of its children: what has become coarser since it was
+   * right enough is not to become finer in the same transfer.
    *
    * Pure; hypercubes only.
    */
@@ -83,7 +90,8 @@ namespace stickslip
 
     const FiniteElement<dim>              &element;
     const unsigned int                     n_points;
-    std::vector<std::vector<unsigned int>> nearest_of_parent;   ///< [child][q]
+    const double                           smooth_decrease;   ///< of indicators
+    std::vector<std::vector<unsigned int>> nearest_of_parent; ///< [child][q]
     std::vector<ChildPoint>                nearest_of_children; ///< [q]
 
     CellRecord::NodalField

@@ -7,6 +7,8 @@
 
 #include <deal.II/distributed/tria.h>
 
+#include <deal.II/lac/vector.h>
+
 #include <memory>
 #include <vector>
 
@@ -27,7 +29,7 @@ namespace stickslip
    * histories of the materials, the slip of the contact surfaces, cut into
    * records of cells (CellTransfer) that travel with them. Three calls, between
    * which the old problem is destroyed and the new one is made: constructor,
-   * execute(), put_into(). All are collective.
+   * execute(), put_into(). These are collective.
    *
    * What is not carried follows from the rest: pairings and statuses from the
    * positions, adapted regularization parameters from new cycles.
@@ -37,15 +39,20 @@ namespace stickslip
   {
   public:
     /// Takes @p state at load time @p time out of @p problem, with the accepted
-    /// histories.
-    StateTransfer(ContactProblem<dim> &problem,
-                  const double         time,
-                  const MeshState     &state);
+    /// histories; @p indicators are those of an estimate, or empty.
+    StateTransfer(ContactProblem<dim>  &problem,
+                  const double          time,
+                  const MeshState      &state,
+                  const Vector<double> &indicators);
 
     /// Refines and coarsens the cells of @p triangulation that have flags, and
-    /// distributes them anew.
+    /// distributes them anew. May be called again.
     void
     execute(parallel::distributed::Triangulation<dim> &triangulation);
+
+    /// The indicators to expect on the cells that execute() has made.
+    Vector<double>
+    expected_indicators() const;
 
     /// The state on the new mesh: a first guess, not in equilibrium.
     /// @p problem is ready for an iteration at its x.

@@ -78,6 +78,23 @@ namespace stickslip
     bool
     wants_another_level(ContactProblem<dim> &problem, const LA::BlockVector &x);
 
+    /// Of the estimate; empty without one.
+    Vector<double>
+    indicators() const
+    {
+      return error.get() == nullptr ? Vector<double>()
+                                    : error.get()->indicators;
+    }
+
+    /**
+     * The cells have been adapted and are expected to have these indicators
+     * (StateTransfer::expected_indicators()): cells with more than their share
+     * of an error target still need another level, for which no solution has to
+     * be waited. Flags them and returns true if there are any. Collective.
+     */
+    bool
+    expects_finer(const Vector<double> &expected);
+
     /// The triangulation, for those who change it.
     parallel::distributed::Triangulation<dim> &
     triangulation() const
@@ -147,13 +164,28 @@ namespace stickslip
     /// Cells that shall be, over all ranks.
     struct Flagged
     {
-      double refined   = 0.;
-      double coarsened = 0.;
+      double refined          = 0.;
+      double error_of_refined = 0.; ///< sum of their indicators
+      double coarsened        = 0.;
     };
 
-    /// By the estimate.
+    /// By @p estimate.
     Flagged
-    mark();
+    mark(const ErrorEstimate &estimate);
+
+    /// By the present estimate.
+    Flagged
+    mark()
+    {
+      return mark(*error.get());
+    }
+
+    /// By the present estimate: whether it is worth another mesh.
+    bool
+    should_be_finer(const Flagged &flagged) const;
+
+    void
+    clear_coarsen_flags();
 
     /// Of the error at @p x.
     void

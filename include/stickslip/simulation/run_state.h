@@ -5,8 +5,7 @@
 
 #include <stickslip/simulation/accepted_state.h>
 #include <stickslip/simulation/discretization.h>
-
-#include <deal.II/distributed/tria.h>
+#include <stickslip/simulation/mesh_adaptation.h>
 
 #include <memory>
 #include <vector>
@@ -82,12 +81,12 @@ namespace stickslip
     void
     discretize();
 
-    /// Refines and coarsens the cells of @p triangulation, that of the mesh, that
-    /// have flags, and carries the accepted state of load time @p time and the
-    /// present iterate over. Returns the relative imbalance of the first.
+    /// Refines and coarsens the cells that @p adaptation has flagged, further
+    /// as long as it wants to, and carries the accepted state of load time
+    /// @p time and the present iterate over. Returns the relative imbalance of
+    /// the first.
     double
-    adapt_mesh(const double                               time,
-               parallel::distributed::Triangulation<dim> &triangulation);
+    adapt_mesh(const double time, MeshAdaptation<dim> &adaptation);
 
     /// Brings the accepted state to equilibrium under the loads of its time.
     /// Returns the Newton iterations. Throws NoConvergence; the state is then

@@ -36,6 +36,13 @@ namespace stickslip
     void
     begin_step();
 
+    /// Until there is a solution, solve() begins with a state of another mesh.
+    void
+    begin_on_other_mesh()
+    {
+      is_on_other_mesh = true;
+    }
+
     /**
      * Solves the step to @p time from the state @p accepted, where attempts may
      * start from @p predicted, too; the solution is @p x. Returns the attempt
@@ -74,6 +81,7 @@ namespace stickslip
     const StopRequests   &stop_requests;
     Verification          found;
     unsigned int          failed_iterations = 0; ///< of this step
+    bool                  is_on_other_mesh  = false;
 
     /// Brings the contact points into the state that @p attempt begins with.
     void

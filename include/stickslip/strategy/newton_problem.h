@@ -17,7 +17,10 @@ namespace stickslip
     double prescribed = 0.; ///< largest prescribed displacement not applied yet
     /// Size of the whole residual, all rows in one unit and over nothing that
     /// changes during a solve: what the line search compares.
-    double merit     = 0.;
+    double merit = 0.;
+    /// False if the merit compares with no other, as that of a state that has
+    /// been carried to another mesh.
+    bool   compares  = true;
     double increment = 0.; ///< relative increment of displacements, multipliers
     double step_length = 1.;
   };
