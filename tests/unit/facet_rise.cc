@@ -120,6 +120,34 @@ namespace
 
 
 
+  /// Of the slave, a face of 1 (x 1) that is normal to x.
+  template <int dim>
+  void
+  print_slave_rises(const std::string &title, const std::string &prm)
+  {
+    CaseProblem<dim> one(prm);
+    const auto      &pair  = *one.problem.contact().contact_pairs().front();
+    double           least = 0., most = -1.;
+    for (const auto &slave : pair.slave_faces)
+      for (const double rise : slave.face.rise)
+        {
+          least = std::min(least, rise);
+          most  = std::max(most, rise);
+        }
+    const auto rounded = [](const double value) { // without a sign of zero
+      return std::round(1e4 * value) / 1e4 + 0.;
+    };
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(4)
+         << rounded(Utilities::MPI::min(least, MPI_COMM_WORLD)) << " to "
+         << rounded(Utilities::MPI::max(most, MPI_COMM_WORLD));
+    print("slave opposite " + title + ": " +
+          (Utilities::MPI::max(most, MPI_COMM_WORLD) == -1. ? "its facets"
+                                                            : text.str()));
+  }
+
+
+
   std::string
   percent(const double value)
   {
@@ -230,6 +258,21 @@ main(int argc, char **argv)
     "sphere of triangles: " +
     percent(
       largest_error<3>(case_with_mesh("spherical_cap_TET4"), sphere, outer)));
+
+  // an arc of radius 2 over a chord of 1 rises by 0.0635
+  print_slave_rises<2>("an arc", case_with(2, "8", with_angle(arc, "x")));
+  print_slave_rises<2>(
+    "an arc with a flat end",
+    case_with(2,
+              "8",
+              "if(x<0.75,(1+y)*sin(1.2*x),(1+y)*sin(0.9)+2.4*(x-0.75)*"
+              "cos(0.9)); if(x<0.75,(1+y)*cos(1.2*x),(1+y)*cos(0.9)-2.4*"
+              "(x-0.75)*sin(0.9))"));
+  print_slave_rises<2>("a flat side", case_with(2, "8", "x; y"));
+  print_slave_rises<3>("a cylinder", curved_3d);
+  print_slave_rises<3>("a sphere", case_with(3, "5, 4", cap));
+  print_slave_rises<3>("a barrel",
+                       case_with(3, "8, 8", "x; y; z-0.3*x^2-0.1*y^2"));
 
   check_gradient<2>("lines", case_with(2, "8", with_angle(arc, "x")));
   check_gradient<3>("quadrilaterals", curved_3d);

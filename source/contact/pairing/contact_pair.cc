@@ -58,7 +58,8 @@ namespace stickslip
                                      surfaces.master_body,
                                      master_shape,
                                      communicator);
-    drop_rises_of_convex_pairs(masters, communicator, slaves);
+    set_rises_of_convex_pairs(
+      master_shape, masters, displacement_shape, communicator, slaves);
     if (parameters.has_smoothed_normals() && !tool.tool)
       add_nodal_normals(masters,
                         master_shape,

@@ -151,9 +151,10 @@ namespace stickslip
                "'Quadrature = segments'. curved: the smooth surface through "
                "their vertices, whose curvature is taken from the angles "
                "between neighbours (up to 42 degrees): gaps are those of this "
-               "surface, where one of the two is concave somewhere; else the "
-               "slave keeps its facets. flat: themselves, for bodies that "
-               "really are polygons.");
+               "surface; where neither side is concave anywhere the slave is "
+               "parallel to a round master between its nodes, or keeps its "
+               "facets. flat: themselves, for bodies that really are "
+               "polygons.");
     add_choice(prm,
                "Normals",
                normals,

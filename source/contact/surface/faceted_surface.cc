@@ -18,9 +18,6 @@ namespace stickslip
     /// Nodes nearer than this on the reference face are the same.
     constexpr double same_place = 1e-10;
 
-    /// Nodes nearer to a plane, over the size of the facets, lie in it.
-    constexpr double in_plane = 1e-6;
-
 
 
     /// The nodes of a face of degree p where one of degree 1 has its own.

@@ -13,9 +13,6 @@ namespace stickslip
     /// Normals at nodes say how curved an edge is less accurately than the
     /// fit: it may be more curved by this factor.
     constexpr double tolerance_of_normals = 1.6;
-
-    /// Nodes nearer to a plane, over the size of the facets, lie in it.
-    constexpr double in_plane = 1e-6;
   } // namespace
 
 
@@ -118,7 +115,7 @@ namespace stickslip
               {
                 const Tensor<1, dim> edge =
                   this->nodes[g][(k + l) % 3] - this->nodes[g][k];
-                if (std::abs(edge * N) > in_plane * edge.norm())
+                if (std::abs(edge * N) > this->in_plane * edge.norm())
                   vertices_there.push_back(this->nodes[g][k] +
                                            mirrored(edge, N));
               }

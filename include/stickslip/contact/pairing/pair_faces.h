@@ -41,16 +41,22 @@ namespace stickslip
   };
 
   /**
-   * Takes the rises of the @p slaves away if neither they nor the @p masters
-   * are partly concave: the surfaces only touch, and averages of dual
-   * functions over a gap like s^2/2R are negative, so that nodes would close
-   * h^2/12R too early. The facets are exact at the nodes. Collective.
+   * Gives the @p slaves of a pair that only touches, neither they nor the
+   * @p masters being partly concave, other rises. Averages of dual functions
+   * over a gap like s^2/2R are negative, so that nodes would close h^2/12R too
+   * early. A slave of degree 1 that is parallel to the master between its nodes
+   * has gaps that are linear on each face, whose averages are the nodal values:
+   * its rises are those of a master that is round in the same way everywhere (a
+   * cylinder, a sphere), with the other sign. Elsewhere it keeps its facets.
+   * @p slave_shape and @p master_shape are those of the faces. Collective.
    */
   template <int dim>
   void
-  drop_rises_of_convex_pairs(const std::vector<CollectedFace<dim>> &masters,
-                             const MPI_Comm                  &communicator,
-                             std::vector<CollectedFace<dim>> &slaves);
+  set_rises_of_convex_pairs(const FaceShape<dim>                  &master_shape,
+                            const std::vector<CollectedFace<dim>> &masters,
+                            const FaceShape<dim>                  &slave_shape,
+                            const MPI_Comm                        &communicator,
+                            std::vector<CollectedFace<dim>>       &slaves);
 } // namespace stickslip
 
 #endif

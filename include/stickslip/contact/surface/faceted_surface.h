@@ -94,6 +94,9 @@ namespace stickslip
     curvature_at(const unsigned int f, const unsigned int e) const;
 
   protected:
+    /// Nodes nearer to a plane, over the size of the facets, lie in it.
+    static constexpr double in_plane = 1e-6;
+
     using Key = std::vector<types::global_dof_index>; ///< nodes of an edge
 
     /// Of a facet: one of its nodes.
