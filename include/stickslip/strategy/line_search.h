@@ -26,7 +26,8 @@ namespace stickslip
     restart();
 
     /// An iterate from which a search begins. One that lacks much of the
-    /// prescribed displacements has a residual that compares with no other.
+    /// prescribed displacements has a residual that compares with no other, nor
+    /// does one that says so.
     void
     add(const NewtonIteration &state);
 

@@ -97,7 +97,8 @@ namespace stickslip
     /// How far the smooth surface behind a straight facet is outside of it
     /// where nothing is deformed [length]: over the middles of its edges (of a
     /// quadrilateral edge 2 d + s at xi_d = s, of a triangle edge e from node e
-    /// on, one of a line). Empty: it is not.
+    /// on, one of a line). Empty: it is not. A slave that only touches may have
+    /// its master's (pairing/pair_faces.h).
     std::vector<double> rise;
 
     unsigned int
