@@ -20,9 +20,6 @@ CASES = {
         "plate.prm", body("base", "Generator = tool_circle", "Arguments = 0, -9 : 9")
         + pair("Slave body = base", "Slave boundary = all", "Master body = plate", "Master boundary = 2"),
         WRONG_INPUT, ["Contact/base/Slave body = base", "no contact points"]),
-    "a tool among adapted meshes": (
-        "plate.prm", body("base", "Generator = tool_circle", "Arguments = 0, -9 : 9") + "subsection Adaptation\n set Estimator = Kelly\nend\n",
-        WRONG_INPUT, ["Adaptation/Estimator = Kelly", "Bodies/base/Generator = tool_circle"]),
     "a cylinder in the plane": (
         "plate.prm", body("base", "Generator = tool_cylinder", "Arguments = 0, 0, 0 : 0, 0, 1 : 1 : 1"),
         WRONG_INPUT, ["Bodies/base/Generator", "'tool_cylinder' exists only in 3D"]),

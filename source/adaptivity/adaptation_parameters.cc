@@ -71,7 +71,8 @@ namespace stickslip
                all_repetitions(),
                "Which steps are solved once more, from where they began, on a "
                "mesh that is finer where their solution wants that, until it "
-               "does not, or for few cells only.");
+               "does not, or for few cells only. 'first step': the first in "
+               "which anything is strained.");
     prm.add_parameter("Most repetitions",
                       most_repetitions,
                       "Of one step.",

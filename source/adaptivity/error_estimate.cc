@@ -4,6 +4,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <deal.II/grid/grid_tools.h>
+
 #include <cmath>
 #include <vector>
 
@@ -11,14 +13,29 @@ namespace stickslip
 {
   namespace
   {
-    /// int sigma : C^-1 : sigma over the cells of this rank.
+    /// Strains below this part of what the displacements would be over the
+    /// whole model are what is left of rigid motions.
+    constexpr double strain_of_roundoff = 1e-8;
+
+
+
+    /// Over the cells of all ranks.
+    struct StressNorm
+    {
+      double square    = 0.; ///< int sigma : C^-1 : sigma
+      double stiffness = 0.; ///< int 2 mu, the square that a strain of 1 has
+    };
+
+
+
+    /// Collective.
     template <int dim>
-    double
-    square_of_stress(ContactProblem<dim> &problem)
+    StressNorm
+    norm_of_stress(ContactProblem<dim> &problem)
     {
       const LinearModuliOf<dim>       moduli(problem);
       std::vector<MaterialState<dim>> states;
-      double                          sum = 0.;
+      StressNorm                      norm;
       for (const auto &cell :
            problem.layout().dof_handler.active_cell_iterators())
         if (cell->is_locally_owned() && moduli.is_deformable(cell))
@@ -26,10 +43,41 @@ namespace stickslip
             problem.solid().evaluate_point_states(
               cell, problem.ghosted_displacement(), states);
             for (const auto &state : states)
-              sum += moduli.of(cell).square(state.cauchy_stress) * state.JxW;
+              {
+                norm.square +=
+                  moduli.of(cell).square(state.cauchy_stress) * state.JxW;
+                norm.stiffness += 2. * moduli.of(cell).shear * state.JxW;
+              }
           }
-      return sum;
+      const MPI_Comm communicator =
+        problem.layout().dof_handler.get_communicator();
+      return {Utilities::MPI::sum(norm.square, communicator),
+              Utilities::MPI::sum(norm.stiffness, communicator)};
     }
+
+
+
+    /// Whether bodies have moved and nothing else: an estimate would be one of
+    /// roundoff, and different on each number of ranks. Collective.
+    template <int dim>
+    bool
+    is_unstrained(const StressNorm      &norm,
+                  ContactProblem<dim>   &problem,
+                  const LA::BlockVector &x)
+    {
+      const auto &dofs = problem.layout().dof_handler;
+      const auto  box =
+        GridTools::compute_bounding_box(dofs.get_triangulation());
+      const auto [lowest, highest] = box.get_boundary_points();
+      const double size =
+        Utilities::MPI::max(lowest.distance(highest), dofs.get_communicator());
+      const double roundoff =
+        strain_of_roundoff * x.block(0).linfty_norm() / size;
+      return norm.square < roundoff * roundoff * norm.stiffness;
+    }
+
+
+
     /// To 20 bits: cells that are alike by symmetry then have the same
     /// indicators, and so the same flags on any number of ranks.
     Vector<double>
@@ -77,13 +125,16 @@ namespace stickslip
                  ContactProblem<dim>       &problem,
                  const LA::BlockVector     &x)
   {
-    const MPI_Comm communicator =
-      problem.layout().dof_handler.get_communicator();
-    return estimate_of(rounded(estimator.indicators(problem, x)),
+    const StressNorm norm = norm_of_stress(problem);
+    const bool       says_nothing =
+      !estimator.is_rule() && is_unstrained(norm, problem, x);
+    Vector<double> indicators = rounded(estimator.indicators(problem, x));
+    if (says_nothing)
+      indicators = 0.;
+    return estimate_of(indicators,
                        estimator.is_rule(),
-                       std::sqrt(Utilities::MPI::sum(square_of_stress(problem),
-                                                     communicator)),
-                       communicator);
+                       says_nothing ? 0. : std::sqrt(norm.square),
+                       problem.layout().dof_handler.get_communicator());
   }
 
   template ErrorEstimate

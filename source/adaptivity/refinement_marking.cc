@@ -137,6 +137,14 @@ namespace stickslip
         return bodies.bodies[bodies.body_of(cell->material_id())].is_rigid;
       }
 
+      template <typename CellIterator>
+      bool
+      is_tool(const CellIterator &cell) const
+      {
+        return bodies.bodies[bodies.body_of(cell->material_id())]
+          .parameters.is_tool();
+      }
+
       /// Calls @p visit(cell, active_cell_index).
       template <typename Visitor>
       void
@@ -197,15 +205,17 @@ namespace stickslip
         return flags;
       }
 
-      /// Rigid bodies as well if the estimate is of a rule.
+      /// Rigid bodies as well if the estimate is of a rule: their facets. The
+      /// cell of a tool has none.
       Flags
       by_threshold(const double refine_above, const double coarsen_below) const
       {
         Flags flags = none();
         for_each_own_cell([&](const auto &cell, const unsigned int i) {
-          const bool counts = estimate.is_rule || !is_rigid(cell);
-          flags.refine[i]   = counts && estimate.indicators[i] > refine_above;
-          flags.coarsen[i]  = counts && estimate.indicators[i] < coarsen_below;
+          const bool counts =
+            !is_rigid(cell) || (estimate.is_rule && !is_tool(cell));
+          flags.refine[i]  = counts && estimate.indicators[i] > refine_above;
+          flags.coarsen[i] = counts && estimate.indicators[i] < coarsen_below;
         });
         return flags;
       }

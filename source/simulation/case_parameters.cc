@@ -233,14 +233,6 @@ namespace stickslip
       rule.check("Refinement/" + name, dimension);
     adaptation.check("Adaptation",
                      !contact_pairs.empty() || automatic_contact.active);
-    for (const auto &[name, body] : bodies)
-      if (body.is_tool() && adaptation.is_active())
-        throw UserError("Adaptation/Estimator = " + adaptation.estimator +
-                        ": meshes cannot be adapted where there is a rigid "
-                        "tool ('Bodies/" +
-                        name + "/Generator = " + body.generator +
-                        "'). Refine with 'Mesh' instead, or give the tool a "
-                        "mesh.");
     for (const auto &[name, condition] : boundary_conditions)
       if (condition.type == BoundaryConditionType::pretension &&
           adaptation.is_active())

@@ -29,6 +29,12 @@ namespace stickslip
 
 
 
+    /// An estimate larger than the target by that is worth a warning: meshes
+    /// are made for the error of the state before.
+    constexpr double worthwhile_excess = 1.25;
+
+
+
     /// Largest change of a force, over the largest force.
     template <int dim>
     double
@@ -113,6 +119,8 @@ namespace stickslip
   MeshAdaptation<dim>::should_be_finer(const Flagged &flagged) const
   {
     const ErrorEstimate &estimate = *error.get();
+    if (!estimate.says_something())
+      return false;
     if (estimate.is_rule || parameters.marking != Marking::error_target)
       return flagged.refined > 0.;
     const double target = parameters.error_target * estimate.energy_norm;
@@ -126,13 +134,12 @@ namespace stickslip
 
   template <int dim>
   bool
-  MeshAdaptation<dim>::wants_repetition(const unsigned int     step,
-                                        ContactProblem<dim>   &problem,
+  MeshAdaptation<dim>::wants_repetition(ContactProblem<dim>   &problem,
                                         const LA::BlockVector &x)
   {
     const bool is_repeated =
       parameters.repetition == Repetition::every_step ||
-      (parameters.repetition == Repetition::first_step && step == 1);
+      (parameters.repetition == Repetition::first_step && !has_begun);
     if (!is_active() || !is_repeated ||
         repetitions == parameters.most_repetitions)
       return false;
@@ -146,11 +153,58 @@ namespace stickslip
 
 
   template <int dim>
+  void
+  MeshAdaptation<dim>::accept_step(ContactProblem<dim>   &problem,
+                                   const LA::BlockVector &x)
+  {
+    error.update(problem, x);
+    has_begun |= is_active() && error.get()->says_something();
+  }
+
+
+
+  template <int dim>
+  std::vector<std::string>
+  MeshAdaptation<dim>::warnings_of_step()
+  {
+    const ErrorEstimate *estimate = error.get();
+    if (estimate == nullptr || estimate->is_rule || has_warned ||
+        parameters.marking != Marking::error_target ||
+        estimate->relative() < worthwhile_excess * parameters.error_target)
+      return {};
+    const int finest = parameters.global_refinements + parameters.most_levels;
+    double    square = 0.;
+    for (const auto &cell : p4est->active_cell_iterators())
+      if (cell->is_locally_owned() && cell->level() == finest)
+        square += estimate->indicators[cell->active_cell_index()];
+    const double share =
+      Utilities::MPI::sum(square, p4est->get_communicator()) /
+      (estimate->error * estimate->error);
+    std::string limit;
+    if (share > 0.5)
+      limit = "'Most levels' = " + std::to_string(parameters.most_levels);
+    else if (2 * p4est->n_global_active_cells() > parameters.most_cells)
+      limit = "'Most cells' = " + std::to_string(parameters.most_cells);
+    if (limit.empty())
+      return {}; // the mesh has yet to follow
+    has_warned = true;
+    std::ostringstream text;
+    text.precision(2);
+    text << "the estimated error is " << 100. * estimate->relative()
+         << " % of the energy norm of the state, 'Adaptation/Error target' is "
+         << 100. * parameters.error_target << " %: " << limit
+         << " keeps cells from becoming finer. Allow more, or a larger error.";
+    return {text.str()};
+  }
+
+
+
+  template <int dim>
   bool
   MeshAdaptation<dim>::wants_other_mesh(const unsigned int step)
   {
-    if (error.get() == nullptr || parameters.every == 0 || step == 0 ||
-        step % parameters.every > 0)
+    if (error.get() == nullptr || !error.get()->says_something() ||
+        parameters.every == 0 || step == 0 || step % parameters.every > 0)
       return false;
     levels               = 1;
     const Flagged wanted = mark();
@@ -223,6 +277,7 @@ namespace stickslip
       make_estimate(problem, x);
     else if (is_active() && scalars.energy_norm >= 0.)
       error.resume(indicators, scalars.energy_norm, p4est->get_communicator());
+    has_begun = error.get() == nullptr || error.get()->says_something();
   }
 
 

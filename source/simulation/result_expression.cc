@@ -10,6 +10,7 @@
 #include <cmath>
 #include <iomanip>
 #include <limits>
+#include <regex>
 #include <sstream>
 
 namespace stickslip
@@ -76,6 +77,7 @@ namespace stickslip
           }
       }
     refuse_unknown_names(text, known);
+    refuse_extremes_of_one(text);
     value([](const std::string &) { return 1.; });
   }
 
@@ -111,6 +113,20 @@ namespace stickslip
               refuse(word);
             i = end;
           }
+  }
+
+
+
+  void
+  ResultExpression::refuse_extremes_of_one(const std::string &text) const
+  {
+    static const std::regex one(R"((max|min) *\(([^(),]*)\))");
+    std::smatch             found;
+    if (std::regex_search(text, found, one))
+      throw UserError("'" + path + "': '" + found[0].str() +
+                      "' is of one number. Give '" + found[2].str() +
+                      "' alone, with 'Value = " + found[1].str() +
+                      "imum' for that of all steps.");
   }
 
 

@@ -158,9 +158,7 @@ namespace stickslip
   bool
   Simulation<dim>::repeats_on_other_mesh()
   {
-    if (!adaptation.wants_repetition(steps().step_number() + 1,
-                                     problem(),
-                                     state.x))
+    if (!adaptation.wants_repetition(problem(), state.x))
       return false;
     state.repeat_step();
     adapt_mesh();
@@ -217,7 +215,8 @@ namespace stickslip
     const auto resultants = resultants_of(faces);
     state.work.add_friction(resultants);
     for (const auto &texts : {warnings.of_step(resultants),
-                              motion_warnings.of_step(resultants, problem())})
+                              motion_warnings.of_step(resultants, problem()),
+                              adaptation.warnings_of_step()})
       for (const std::string &text : texts)
         warn(text);
     state.forget_motions(motion_warnings.adrift());

@@ -20,6 +20,13 @@ namespace stickslip
     /// stress.
     double
     relative() const;
+
+    /// False for an error where nothing is strained.
+    bool
+    says_something() const
+    {
+      return is_rule || energy_norm > 0.;
+    }
   };
 
   /// The estimate with these @p indicators of the cells of this rank.
@@ -30,7 +37,8 @@ namespace stickslip
               const double          energy_norm,
               const MPI_Comm       &communicator);
 
-  /// See ErrorEstimator::indicators(). Collective.
+  /// See ErrorEstimator::indicators(). Without stresses and errors where bodies
+  /// have moved and nothing else. Collective.
   template <int dim>
   ErrorEstimate
   estimate_error(const ErrorEstimator<dim> &estimator,

@@ -42,14 +42,11 @@ namespace stickslip
     begin_step();
 
     /**
-     * The step number @p step has been solved: its solution is @p x. Flags cells
-     * and returns true if it has to be solved once more, on the adapted mesh.
-     * Collective.
+     * The step has been solved: its solution is @p x. Flags cells and returns true
+     * if it has to be solved once more, on the adapted mesh. Collective.
      */
     bool
-    wants_repetition(const unsigned int     step,
-                     ContactProblem<dim>   &problem,
-                     const LA::BlockVector &x);
+    wants_repetition(ContactProblem<dim> &problem, const LA::BlockVector &x);
 
     /// Step number @p step has been accepted. Flags cells and returns true if
     /// the mesh is to be another one before the next step. Once that has been
@@ -60,10 +57,12 @@ namespace stickslip
     /// A step has been accepted with the state @p x, whose error the statistics and
     /// fields() show. Collective.
     void
-    accept_step(ContactProblem<dim> &problem, const LA::BlockVector &x)
-    {
-      error.update(problem, x);
-    }
+    accept_step(ContactProblem<dim> &problem, const LA::BlockVector &x);
+
+    /// Of the step that has been accepted: an error target that the bounds of
+    /// the mesh do not let it reach, once. Collective.
+    std::vector<std::string>
+    warnings_of_step();
 
     /// Cell by cell.
     NamedCellValues
@@ -152,9 +151,12 @@ namespace stickslip
     EstimatedError<dim>                        error;
     Mesh<dim>                                 &mesh;
     parallel::distributed::Triangulation<dim> *p4est;
-    unsigned int adaptations = 0; ///< since the start
-    unsigned int repetitions = 0; ///< of this step
-    unsigned int levels      = 0; ///< of this adaptation
+    unsigned int adaptations = 0;     ///< since the start
+    unsigned int repetitions = 0;     ///< of this step
+    unsigned int levels      = 0;     ///< of this adaptation
+    bool         has_warned  = false; ///< of bounds
+    bool         has_begun =
+      false; ///< an estimate has said something of an accepted step
 
     // since the last row
     unsigned int transfer_iterations = 0;

@@ -17,7 +17,8 @@ namespace stickslip
   {
   public:
     /// Throws UserError that blames @p path for a name that is not among
-    /// @p known and for what muparser does not understand.
+    /// @p known, for a largest or smallest of one, and for what muparser does not
+    /// understand.
     ResultExpression(const std::string              &text,
                      const std::vector<std::string> &known,
                      const std::string              &path);
@@ -37,6 +38,10 @@ namespace stickslip
     void
     refuse_unknown_names(const std::string              &text,
                          const std::vector<std::string> &known) const;
+
+    /// max(x) is x, which is hardly what was meant.
+    void
+    refuse_extremes_of_one(const std::string &text) const;
 
     std::string              path;
     std::vector<std::string> texts; ///< before, between and after the results

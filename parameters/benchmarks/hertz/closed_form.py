@@ -13,7 +13,21 @@ class LineContact:
         self.peak = 2 * force / (math.pi * self.half_width)
 
     def pressure(self, x):
-        return self.peak * numpy.sqrt(numpy.maximum(0.0, 1 - (x / self.half_width) ** 2))
+        return self.peak * self._ellipse(x, self.half_width)
+
+    def stick_width(self, share):
+        """Half of the zone that sticks under the tangential force share * friction coefficient * P (Cattaneo)."""
+        return self.half_width * math.sqrt(1 - share)
+
+    def traction(self, x, share, friction_coefficient):
+        """Tangential, of the same case, equal materials (Cattaneo, Mindlin)."""
+        stick = self.stick_width(share)
+        rest = stick / self.half_width * self._ellipse(x, stick)
+        return friction_coefficient * self.peak * (self._ellipse(x, self.half_width) - rest)
+
+    @staticmethod
+    def _ellipse(x, half_width):
+        return numpy.sqrt(numpy.maximum(0.0, 1 - (x / half_width) ** 2))
 
 
 class RingOnDisc:
