@@ -17,19 +17,31 @@ def l2_error(surface, field, exact, square):
     return math.sqrt(surface.integrate(lambda x, value, gradient: (value(field) - exact(x)) ** 2, 6) / square)
 
 
-def of_ball(result, modulus, radius, part):
-    """A rigid ball, of which the model has the given part: largest pressure, size of the contact, profile."""
+def ellipse(x, radius):
+    return numpy.sqrt(numpy.maximum(0, 1 - (x[:, 0] ** 2 + x[:, 1] ** 2) / radius**2))
+
+
+def of_ball(result, modulus, radius, part, friction_coefficient=0):
+    """A ball of which the model has the given part: largest pressure, size of the contact, profile; with friction that of
+    the traction of Mindlin, who leaves out what is across the force (of the order of Poisson's ratio)."""
     force = abs(result.last("resultants.csv", "spot.normal_force_z")) / part
     a = (0.75 * force * radius / modulus) ** (1 / 3)
     p0 = 1.5 * force / (math.pi * a**2)
     surface = surface_of(result)
-
-    def pressure(x):
-        return p0 * numpy.sqrt(numpy.maximum(0, 1 - (x[:, 0] ** 2 + x[:, 1] ** 2) / a**2))
-
+    square = part * math.pi / 2 * (p0 * a) ** 2
     size = math.sqrt(result.last("resultants.csv", "spot.contact_area") / part / math.pi)
-    return {"force": force, "largest pressure": surface["pressure"].max() / p0 - 1, "size": size / a - 1,
-            "profile": l2_error(surface, "pressure", pressure, part * math.pi / 2 * (p0 * a) ** 2)}
+    errors = {"force": force, "largest pressure": surface["pressure"].max() / p0 - 1, "size": size / a - 1,
+              "profile": l2_error(surface, "pressure", lambda x: p0 * ellipse(x, a), square)}
+    if friction_coefficient:
+        share = abs(result.last("resultants.csv", "spot.friction_force_x")) / part / (friction_coefficient * force)
+        stick = a * (1 - share) ** (1 / 3)
+        sticks = surface["status"] == STICK
+        rim = surface.points[sticks]
+        found = max(numpy.hypot(rim[:, 0], rim[:, 1]))
+        surface.point_data["traction_x"] = abs(surface["tangential_traction"][:, 0]) / friction_coefficient
+        traction = lambda x: p0 * (ellipse(x, a) - stick / a * ellipse(x, stick))
+        errors |= {"stick zone": found / stick - 1, "traction": l2_error(surface, "traction_x", traction, square)}
+    return errors
 
 
 def of_cylinder(result, young, poisson, radius, part):
