@@ -68,7 +68,8 @@ CASES = {
         "patch_test.prm", check("Quantity = c.force_y / c.area", "Expected = 1"), WRONG_INPUT, ["Checks/a/Quantity", "'c.area'", "c.contact_area"]),
     "an expression that is none": ("patch_test.prm", check("Quantity = c.force_y *", "Expected = 1"), WRONG_INPUT, ["Checks/a/Quantity", "Unexpected end"]),
     "a check of the largest of one": (
-        "patch_test.prm", check("Quantity = 2*max(c.force_y)", "Expected = 1"), WRONG_INPUT, ["Checks/a/Quantity", "max(c.force_y)", "Value = maximum"]),
+        "patch_test.prm", check("Quantity = max(2, 3)*max(abs(c.force_y))", "Expected = 1"), WRONG_INPUT,
+        ["Checks/a/Quantity", "'max(abs(c.force_y))'", "Value = maximum"]),
     "a check at no time": ("patch_test.prm", check("Quantity = c.force_y", "Value = at a time", "Expected = 1"), WRONG_INPUT, ["Checks/a/Time", "greater than 0"]),
     "a check at a time that no step has": (
         "patch_test.prm", check("Quantity = c.force_y", "Value = at a time", "Time = 0.3", "Expected = 1"), WRONG_INPUT, ["Checks/a/Time", "0.3", "no step"]),

@@ -72,7 +72,7 @@ namespace stickslip
                "Which steps are solved once more, from where they began, on a "
                "mesh that is finer where their solution wants that, until it "
                "does not, or for few cells only. 'first step': the first in "
-               "which anything is strained.");
+               "which anything is strained, or a rule selects cells.");
     prm.add_parameter("Most repetitions",
                       most_repetitions,
                       "Of one step.",

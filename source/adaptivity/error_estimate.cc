@@ -7,6 +7,7 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace stickslip
@@ -19,40 +20,47 @@ namespace stickslip
 
 
 
-    /// Over the cells of all ranks.
-    struct StressNorm
+    /// Of each body, over the cells of all ranks.
+    struct StressNorms
     {
-      double square    = 0.; ///< int sigma : C^-1 : sigma
-      double stiffness = 0.; ///< int 2 mu, the square that a strain of 1 has
+      std::vector<double> squares;   ///< int sigma : C^-1 : sigma
+      std::vector<double> stiffness; ///< int 2 mu, the square of a strain of 1
     };
 
 
 
     /// Collective.
     template <int dim>
-    StressNorm
-    norm_of_stress(ContactProblem<dim> &problem)
+    StressNorms
+    norms_of_stress(ContactProblem<dim> &problem)
     {
       const LinearModuliOf<dim>       moduli(problem);
+      const Bodies                   &bodies = problem.bodies();
       std::vector<MaterialState<dim>> states;
-      StressNorm                      norm;
+      StressNorms norms = {std::vector<double>(bodies.bodies.size(), 0.),
+                           std::vector<double>(bodies.bodies.size(), 0.)};
       for (const auto &cell :
            problem.layout().dof_handler.active_cell_iterators())
         if (cell->is_locally_owned() && moduli.is_deformable(cell))
           {
+            const unsigned int body = bodies.body_of(cell->material_id());
             problem.solid().evaluate_point_states(
               cell, problem.ghosted_displacement(), states);
             for (const auto &state : states)
               {
-                norm.square +=
+                norms.squares[body] +=
                   moduli.of(cell).square(state.cauchy_stress) * state.JxW;
-                norm.stiffness += 2. * moduli.of(cell).shear * state.JxW;
+                norms.stiffness[body] += 2. * moduli.of(cell).shear * state.JxW;
               }
           }
       const MPI_Comm communicator =
         problem.layout().dof_handler.get_communicator();
-      return {Utilities::MPI::sum(norm.square, communicator),
-              Utilities::MPI::sum(norm.stiffness, communicator)};
+      for (auto *sums : {&norms.squares, &norms.stiffness})
+        {
+          const std::vector<double> of_this_rank = *sums;
+          Utilities::MPI::sum(of_this_rank, communicator, *sums);
+        }
+      return norms;
     }
 
 
@@ -61,7 +69,7 @@ namespace stickslip
     /// roundoff, and different on each number of ranks. Collective.
     template <int dim>
     bool
-    is_unstrained(const StressNorm      &norm,
+    is_unstrained(const StressNorms     &norms,
                   ContactProblem<dim>   &problem,
                   const LA::BlockVector &x)
     {
@@ -73,7 +81,10 @@ namespace stickslip
         Utilities::MPI::max(lowest.distance(highest), dofs.get_communicator());
       const double roundoff =
         strain_of_roundoff * x.block(0).linfty_norm() / size;
-      return norm.square < roundoff * roundoff * norm.stiffness;
+      for (unsigned int body = 0; body < norms.squares.size(); ++body)
+        if (norms.squares[body] > roundoff * roundoff * norms.stiffness[body])
+          return false;
+      return true;
     }
 
 
@@ -114,7 +125,11 @@ namespace stickslip
     for (const double square : indicators)
       sum += square;
     sum = Utilities::MPI::sum(sum, communicator);
-    return {indicators, is_rule, is_rule ? 0. : std::sqrt(sum), energy_norm};
+    return {indicators,
+            is_rule,
+            is_rule ? 0. : std::sqrt(sum),
+            energy_norm,
+            is_rule ? sum : 0.};
   }
 
 
@@ -125,15 +140,17 @@ namespace stickslip
                  ContactProblem<dim>       &problem,
                  const LA::BlockVector     &x)
   {
-    const StressNorm norm = norm_of_stress(problem);
-    const bool       says_nothing =
-      !estimator.is_rule() && is_unstrained(norm, problem, x);
+    const StressNorms norms = norms_of_stress(problem);
+    const bool        says_nothing =
+      !estimator.is_rule() && is_unstrained(norms, problem, x);
     Vector<double> indicators = rounded(estimator.indicators(problem, x));
     if (says_nothing)
       indicators = 0.;
+    const double square =
+      std::accumulate(norms.squares.begin(), norms.squares.end(), 0.);
     return estimate_of(indicators,
                        estimator.is_rule(),
-                       says_nothing ? 0. : std::sqrt(norm.square),
+                       says_nothing ? 0. : std::sqrt(square),
                        problem.layout().dof_handler.get_communicator());
   }
 

@@ -274,14 +274,41 @@ namespace stickslip
     return any_rank(any, triangulation.get_communicator());
   }
 
-  template bool
-  mark_cells(const ErrorEstimate &,
-             const AdaptationParameters &,
-             const Bodies &,
-             parallel::distributed::Triangulation<2> &);
-  template bool
-  mark_cells(const ErrorEstimate &,
-             const AdaptationParameters &,
-             const Bodies &,
-             parallel::distributed::Triangulation<3> &);
+  template <int dim>
+  KeptCoarse
+  find_kept_coarse(const ErrorEstimate                       &estimate,
+                   const AdaptationParameters                &parameters,
+                   const Bodies                              &bodies,
+                   parallel::distributed::Triangulation<dim> &triangulation)
+  {
+    const Marker<dim> marker(estimate, parameters, bodies, triangulation);
+    const Flags       wanted  = marker.wanted();
+    const Flags       allowed = marker.with_most_cells(wanted);
+    const int  finest = parameters.global_refinements + parameters.most_levels;
+    KeptCoarse kept;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      {
+        const unsigned int i = cell->active_cell_index();
+        if (cell->is_locally_owned() && wanted.refine[i] && !allowed.refine[i])
+          (cell->level() < finest ? kept.by_cells : kept.by_levels) +=
+            estimate.indicators[i];
+      }
+    const MPI_Comm communicator = triangulation.get_communicator();
+    return {Utilities::MPI::sum(kept.by_levels, communicator),
+            Utilities::MPI::sum(kept.by_cells, communicator)};
+  }
+
+#define INSTANTIATE(dim)                                                       \
+  template bool       mark_cells(const ErrorEstimate &,                        \
+                                 const AdaptationParameters &,                 \
+                                 const Bodies &,                               \
+                                 parallel::distributed::Triangulation<dim> &); \
+  template KeptCoarse find_kept_coarse(                                        \
+    const ErrorEstimate &,                                                     \
+    const AdaptationParameters &,                                              \
+    const Bodies &,                                                            \
+    parallel::distributed::Triangulation<dim> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace stickslip

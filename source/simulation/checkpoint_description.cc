@@ -20,7 +20,7 @@ namespace stickslip
   namespace
   {
     const std::string checkpoint_mark   = "stickslip checkpoint ";
-    const std::string checkpoint_format = "6";
+    const std::string checkpoint_format = "7";
     const std::string checkpoint_first_line =
       checkpoint_mark + checkpoint_format;
     const std::string checkpoint_last_line = "end";
@@ -232,7 +232,8 @@ namespace stickslip
         << "\ncontact work = " << scalars.work.contact
         << "\nstabilization work = " << scalars.work.stabilization
         << "\nadaptations = " << scalars.adaptations
-        << "\nenergy norm = " << scalars.energy_norm << "\ngeometry =";
+        << "\nenergy norm = " << scalars.energy_norm
+        << "\nadaptation has begun = " << scalars.has_adapted << "\ngeometry =";
     for (const double value : problem.geometry)
       out << ' ' << value;
     out << '\n';
@@ -299,6 +300,7 @@ namespace stickslip
     read("stabilization work", scalars.work.stabilization);
     read("adaptations", scalars.adaptations);
     read("energy norm", scalars.energy_norm);
+    read("adaptation has begun", scalars.has_adapted);
     read_list("geometry", problem.geometry);
     problem.properties.clear();
     physics.clear();

@@ -29,9 +29,9 @@ namespace stickslip
 
 
 
-    /// An estimate larger than the target by that is worth a warning: meshes
-    /// are made for the error of the state before.
-    constexpr double worthwhile_excess = 1.25;
+    /// Meshes are made for the error of the state before: estimates are often a
+    /// little larger than the target.
+    constexpr double excess_worth_a_warning = 1.25;
 
 
 
@@ -139,7 +139,7 @@ namespace stickslip
   {
     const bool is_repeated =
       parameters.repetition == Repetition::every_step ||
-      (parameters.repetition == Repetition::first_step && !has_begun);
+      (parameters.repetition == Repetition::first_step && !begun);
     if (!is_active() || !is_repeated ||
         repetitions == parameters.most_repetitions)
       return false;
@@ -158,7 +158,7 @@ namespace stickslip
                                    const LA::BlockVector &x)
   {
     error.update(problem, x);
-    has_begun |= is_active() && error.get()->says_something();
+    begun |= is_active() && error.get()->marks_something();
   }
 
 
@@ -168,31 +168,27 @@ namespace stickslip
   MeshAdaptation<dim>::warnings_of_step()
   {
     const ErrorEstimate *estimate = error.get();
-    if (estimate == nullptr || estimate->is_rule || has_warned ||
+    const bool           is_fixed =
+      parameters.every == 0 && parameters.repetition == Repetition::never;
+    if (estimate == nullptr || estimate->is_rule || is_fixed || has_warned ||
+        !estimate->says_something() ||
         parameters.marking != Marking::error_target ||
-        estimate->relative() < worthwhile_excess * parameters.error_target)
+        estimate->relative() < excess_worth_a_warning * parameters.error_target)
       return {};
-    const int finest = parameters.global_refinements + parameters.most_levels;
-    double    square = 0.;
-    for (const auto &cell : p4est->active_cell_iterators())
-      if (cell->is_locally_owned() && cell->level() == finest)
-        square += estimate->indicators[cell->active_cell_index()];
-    const double share =
-      Utilities::MPI::sum(square, p4est->get_communicator()) /
-      (estimate->error * estimate->error);
-    std::string limit;
-    if (share > 0.5)
-      limit = "'Most levels' = " + std::to_string(parameters.most_levels);
-    else if (2 * p4est->n_global_active_cells() > parameters.most_cells)
-      limit = "'Most cells' = " + std::to_string(parameters.most_cells);
-    if (limit.empty())
+    const KeptCoarse kept =
+      find_kept_coarse(*estimate, parameters, mesh.bodies, *p4est);
+    const double much = 0.5 * estimate->error * estimate->error;
+    if (kept.by_levels < much && kept.by_cells < much)
       return {}; // the mesh has yet to follow
     has_warned = true;
     std::ostringstream text;
     text.precision(2);
     text << "the estimated error is " << 100. * estimate->relative()
          << " % of the energy norm of the state, 'Adaptation/Error target' is "
-         << 100. * parameters.error_target << " %: " << limit
+         << 100. * parameters.error_target << " %: "
+         << (kept.by_levels >= much
+               ? "'Most levels' = " + std::to_string(parameters.most_levels)
+               : "'Most cells' = " + std::to_string(parameters.most_cells))
          << " keeps cells from becoming finer. Allow more, or a larger error.";
     return {text.str()};
   }
@@ -277,7 +273,7 @@ namespace stickslip
       make_estimate(problem, x);
     else if (is_active() && scalars.energy_norm >= 0.)
       error.resume(indicators, scalars.energy_norm, p4est->get_communicator());
-    has_begun = error.get() == nullptr || error.get()->says_something();
+    begun = is_same && scalars.has_adapted;
   }
 
 

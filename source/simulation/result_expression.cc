@@ -77,7 +77,7 @@ namespace stickslip
           }
       }
     refuse_unknown_names(text, known);
-    refuse_extremes_of_one(text);
+    refuse_functions_of_one(text);
     value([](const std::string &) { return 1.; });
   }
 
@@ -118,15 +118,30 @@ namespace stickslip
 
 
   void
-  ResultExpression::refuse_extremes_of_one(const std::string &text) const
+  ResultExpression::refuse_functions_of_one(const std::string &text) const
   {
-    static const std::regex one(R"((max|min) *\(([^(),]*)\))");
-    std::smatch             found;
-    if (std::regex_search(text, found, one))
-      throw UserError("'" + path + "': '" + found[0].str() +
-                      "' is of one number. Give '" + found[2].str() +
-                      "' alone, with 'Value = " + found[1].str() +
-                      "imum' for that of all steps.");
+    static const std::regex function(R"(\b(max|min|sum|avg) *\()");
+    for (std::sregex_iterator f(text.begin(), text.end(), function), end;
+         f != end;
+         ++f)
+      {
+        const std::size_t begin = f->position() + f->length();
+        std::size_t       i     = begin;
+        for (unsigned int depth = 1; i < text.size(); ++i)
+          {
+            depth += text[i] == '(' ? 1 : 0;
+            depth -= text[i] == ')' ? 1 : 0;
+            if (depth == 0 || (depth == 1 && text[i] == ','))
+              break;
+          }
+        if (i < text.size() && text[i] == ')' && i > begin)
+          throw UserError("'" + path + "': '" +
+                          text.substr(f->position(), i + 1 - f->position()) +
+                          "' is of one number, that of the last step. Give '" +
+                          text.substr(begin, i - begin) +
+                          "' alone; 'Value = maximum' or 'minimum' looks at "
+                          "all steps.");
+      }
   }
 
 

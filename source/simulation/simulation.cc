@@ -315,7 +315,11 @@ namespace stickslip
                     problem(),
                     state.accepted,
                     adaptation.estimate(),
-                    {control, state.work, adaptation.n_adaptations()},
+                    {control,
+                     state.work,
+                     adaptation.n_adaptations(),
+                     -1.,
+                     adaptation.has_begun()},
                     parameters.physics);
   }
 

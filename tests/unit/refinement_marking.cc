@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <functional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -98,6 +99,14 @@ namespace
       mark_cells(estimate, parameters, mesh.bodies, triangulation);
     print(title + (any ? "" : ": nothing"));
     print_flags(triangulation);
+    const KeptCoarse kept =
+      find_kept_coarse(estimate, parameters, mesh.bodies, triangulation);
+    std::ostringstream text;
+    text << "  kept coarse: " << kept.by_levels << " by levels, "
+         << kept.by_cells << " by cells";
+    if (kept.by_levels + kept.by_cells > 0.)
+      print(text.str());
+    mark_cells(estimate, parameters, mesh.bodies, triangulation);
   }
 } // namespace
 
@@ -148,6 +157,26 @@ main(int argc, char **argv)
     [](AdaptationParameters &a) {
       a.marking      = Marking::error_target;
       a.error_target = 0.1;
+    },
+    rising,
+    false,
+    mesh);
+  mark(
+    "the same with no levels",
+    [](AdaptationParameters &a) {
+      a.marking      = Marking::error_target;
+      a.error_target = 0.1;
+      a.most_levels  = 0;
+    },
+    rising,
+    false,
+    mesh);
+  mark(
+    "the same with 29 cells",
+    [](AdaptationParameters &a) {
+      a.marking      = Marking::error_target;
+      a.error_target = 0.1;
+      a.most_cells   = 29;
     },
     rising,
     false,

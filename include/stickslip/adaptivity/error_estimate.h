@@ -15,6 +15,7 @@ namespace stickslip
     /// (int sigma : C^-1 : sigma)^1/2 of the state, over all bodies. Of Cauchy
     /// stresses, over the undeformed volume.
     double energy_norm = 0.;
+    double n_selected  = 0.; ///< cells, by a rule, over all ranks
 
     /// 0 if there is neither error nor stress, infinity for an error without
     /// stress.
@@ -27,6 +28,13 @@ namespace stickslip
     {
       return is_rule || energy_norm > 0.;
     }
+
+    /// Whether something is strained, or a rule selects cells.
+    bool
+    marks_something() const
+    {
+      return is_rule ? n_selected > 0. : energy_norm > 0.;
+    }
   };
 
   /// The estimate with these @p indicators of the cells of this rank.
@@ -37,8 +45,8 @@ namespace stickslip
               const double          energy_norm,
               const MPI_Comm       &communicator);
 
-  /// See ErrorEstimator::indicators(). Without stresses and errors where bodies
-  /// have moved and nothing else. Collective.
+  /// See ErrorEstimator::indicators(). Indicators and energy norm are 0 where
+  /// bodies have moved and nothing else. Collective.
   template <int dim>
   ErrorEstimate
   estimate_error(const ErrorEstimator<dim> &estimator,

@@ -32,6 +32,24 @@ namespace stickslip
              const AdaptationParameters                &parameters,
              const Bodies                              &bodies,
              parallel::distributed::Triangulation<dim> &triangulation);
+
+
+
+  /// Squares of indicators of cells that should be finer and may not, because
+  /// of
+  struct KeptCoarse
+  {
+    double by_levels = 0.; ///< AdaptationParameters::most_levels
+    double by_cells  = 0.; ///< AdaptationParameters::most_cells
+  };
+
+  /// Over all ranks. Leaves no flags. Collective.
+  template <int dim>
+  KeptCoarse
+  find_kept_coarse(const ErrorEstimate                       &estimate,
+                   const AdaptationParameters                &parameters,
+                   const Bodies                              &bodies,
+                   parallel::distributed::Triangulation<dim> &triangulation);
 } // namespace stickslip
 
 #endif

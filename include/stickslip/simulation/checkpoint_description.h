@@ -22,6 +22,7 @@ namespace stickslip
     unsigned int     adaptations = 0; ///< of the mesh, since the start
     /// Of the estimate of the error; negative: there is none.
     double energy_norm = -1.;
+    bool   has_adapted = false; ///< MeshAdaptation::has_begun()
   };
 
 

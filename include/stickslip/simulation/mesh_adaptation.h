@@ -121,7 +121,15 @@ namespace stickslip
       return adaptations;
     }
 
-    /// What a checkpoint has beside n_adaptations(); null if the mesh has been
+    /// An accepted step had something that cells were marked by: 'first step'
+    /// is over.
+    bool
+    has_begun() const
+    {
+      return begun;
+    }
+
+    /// What a checkpoint has beside these; null if the mesh has been
     /// adapted to the state already.
     const ErrorEstimate *
     estimate() const
@@ -155,8 +163,7 @@ namespace stickslip
     unsigned int repetitions = 0;     ///< of this step
     unsigned int levels      = 0;     ///< of this adaptation
     bool         has_warned  = false; ///< of bounds
-    bool         has_begun =
-      false; ///< an estimate has said something of an accepted step
+    bool         begun       = false; ///< has_begun()
 
     // since the last row
     unsigned int transfer_iterations = 0;

@@ -17,7 +17,7 @@ namespace stickslip
   {
   public:
     /// Throws UserError that blames @p path for a name that is not among
-    /// @p known, for a largest or smallest of one, and for what muparser does not
+    /// @p known, for a maximum or sum of one, and for what muparser does not
     /// understand.
     ResultExpression(const std::string              &text,
                      const std::vector<std::string> &known,
@@ -39,9 +39,9 @@ namespace stickslip
     refuse_unknown_names(const std::string              &text,
                          const std::vector<std::string> &known) const;
 
-    /// max(x) is x, which is hardly what was meant.
+    /// max(x), sum(x) are x, which is hardly what was meant.
     void
-    refuse_extremes_of_one(const std::string &text) const;
+    refuse_functions_of_one(const std::string &text) const;
 
     std::string              path;
     std::vector<std::string> texts; ///< before, between and after the results

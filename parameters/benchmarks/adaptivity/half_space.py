@@ -21,6 +21,12 @@ def ellipse(x, radius):
     return numpy.sqrt(numpy.maximum(0, 1 - (x[:, 0] ** 2 + x[:, 1] ** 2) / radius**2))
 
 
+def ring_integral(field, radius):
+    """Of the square of a field that depends on the distance from the origin only, times that distance."""
+    r = numpy.linspace(0, radius, 20001)
+    return numpy.mean(field(numpy.stack([r, 0 * r], axis=1)) ** 2 * r) * radius
+
+
 def of_ball(result, modulus, radius, part, friction_coefficient=0):
     """A ball of which the model has the given part: largest pressure, size of the contact, profile; with friction that of
     the traction of Mindlin, who leaves out what is across the force (of the order of Poisson's ratio)."""
@@ -40,7 +46,8 @@ def of_ball(result, modulus, radius, part, friction_coefficient=0):
         found = max(numpy.hypot(rim[:, 0], rim[:, 1]))
         surface.point_data["traction_x"] = abs(surface["tangential_traction"][:, 0]) / friction_coefficient
         traction = lambda x: p0 * (ellipse(x, a) - stick / a * ellipse(x, stick))
-        errors |= {"stick zone": found / stick - 1, "traction": l2_error(surface, "traction_x", traction, square)}
+        errors |= {"stick zone": found / stick - 1,
+                   "traction": l2_error(surface, "traction_x", traction, part * 2 * math.pi * ring_integral(traction, a))}
     return errors
 
 
