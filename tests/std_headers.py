@@ -49,7 +49,7 @@ NAMES_OF_HEADERS = {
     "ostream iostream iosfwd sstream fstream": "ostream",
     "queue": "priority_queue queue",
     "random": "mt19937 normal_distribution random_device uniform_int_distribution uniform_real_distribution",
-    "regex": "regex regex_match regex_replace regex_search smatch",
+    "regex": "regex regex_match regex_replace regex_search smatch sregex_iterator",
     "set": "multiset set",
     "sstream iosfwd": "istringstream ostringstream stringbuf stringstream",
     "stdexcept": "invalid_argument logic_error out_of_range runtime_error",

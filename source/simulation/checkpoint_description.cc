@@ -231,9 +231,10 @@ namespace stickslip
         << "\nfriction work = " << scalars.work.friction
         << "\ncontact work = " << scalars.work.contact
         << "\nstabilization work = " << scalars.work.stabilization
-        << "\nadaptations = " << scalars.adaptations
+        << "\nadaptations = " << scalars.adaptation.adaptations
         << "\nenergy norm = " << scalars.energy_norm
-        << "\nadaptation has begun = " << scalars.has_adapted << "\ngeometry =";
+        << "\nadaptation has begun = " << scalars.adaptation.has_begun
+        << "\ngeometry =";
     for (const double value : problem.geometry)
       out << ' ' << value;
     out << '\n';
@@ -298,9 +299,9 @@ namespace stickslip
     read("friction work", scalars.work.friction);
     read("contact work", scalars.work.contact);
     read("stabilization work", scalars.work.stabilization);
-    read("adaptations", scalars.adaptations);
+    read("adaptations", scalars.adaptation.adaptations);
     read("energy norm", scalars.energy_norm);
-    read("adaptation has begun", scalars.has_adapted);
+    read("adaptation has begun", scalars.adaptation.has_begun);
     read_list("geometry", problem.geometry);
     problem.properties.clear();
     physics.clear();

@@ -114,7 +114,7 @@ namespace stickslip
     std::string                 checkpoint;
     const CheckpointDescription description =
       read_description(directory, communicator, checkpoint);
-    if (description.scalars.adaptations == 0)
+    if (description.scalars.adaptation.adaptations == 0)
       return false;
     auto *p4est =
       dynamic_cast<parallel::distributed::Triangulation<dim> *>(&triangulation);

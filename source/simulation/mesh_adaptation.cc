@@ -139,7 +139,7 @@ namespace stickslip
   {
     const bool is_repeated =
       parameters.repetition == Repetition::every_step ||
-      (parameters.repetition == Repetition::first_step && !begun);
+      (parameters.repetition == Repetition::first_step && !done.has_begun);
     if (!is_active() || !is_repeated ||
         repetitions == parameters.most_repetitions)
       return false;
@@ -158,7 +158,7 @@ namespace stickslip
                                    const LA::BlockVector &x)
   {
     error.update(problem, x);
-    begun |= is_active() && error.get()->marks_something();
+    done.has_begun |= is_active() && error.get()->marks_something();
   }
 
 
@@ -268,12 +268,12 @@ namespace stickslip
                               ContactProblem<dim>     &problem,
                               const LA::BlockVector   &x)
   {
-    adaptations = scalars.adaptations;
+    done = scalars.adaptation;
     if (is_active() && !is_same)
       make_estimate(problem, x);
     else if (is_active() && scalars.energy_norm >= 0.)
       error.resume(indicators, scalars.energy_norm, p4est->get_communicator());
-    begun = is_same && scalars.has_adapted;
+    done.has_begun &= is_same;
   }
 
 
@@ -282,7 +282,7 @@ namespace stickslip
   std::string
   MeshAdaptation<dim>::record_new_mesh(const double residual)
   {
-    ++adaptations;
+    ++done.adaptations;
     mesh.cells_by_level = cells_by_level(*p4est);
     transfer_residual   = std::max(transfer_residual, residual);
     return describe_levels(mesh.cells_by_level).front();
@@ -318,7 +318,7 @@ namespace stickslip
       return;
     statistics.add("cells",
                    static_cast<double>(p4est->n_global_active_cells()));
-    statistics.add("adaptations", adaptations);
+    statistics.add("adaptations", done.adaptations);
     statistics.add("repetitions", repetitions);
     statistics.add("transfer_iterations", transfer_iterations);
     statistics.add("transfer_residual", transfer_residual);

@@ -315,11 +315,7 @@ namespace stickslip
                     problem(),
                     state.accepted,
                     adaptation.estimate(),
-                    {control,
-                     state.work,
-                     adaptation.n_adaptations(),
-                     -1.,
-                     adaptation.has_begun()},
+                    {control, state.work, adaptation.progress()},
                     parameters.physics);
   }
 

@@ -14,15 +14,25 @@
 
 namespace stickslip
 {
+  /// What a run has done with its mesh.
+  struct AdaptationProgress
+  {
+    unsigned int adaptations = 0; ///< other cells than at the start
+    /// An accepted step had something that cells were marked by: 'first step'
+    /// is over.
+    bool has_begun = false;
+  };
+
+
+
   /// The numbers of a state that are not fields.
   struct CheckpointScalars
   {
-    StepControlState control;
-    WorkBalance      work;
-    unsigned int     adaptations = 0; ///< of the mesh, since the start
+    StepControlState   control;
+    WorkBalance        work;
+    AdaptationProgress adaptation;
     /// Of the estimate of the error; negative: there is none.
     double energy_norm = -1.;
-    bool   has_adapted = false; ///< MeshAdaptation::has_begun()
   };
 
 

@@ -114,22 +114,14 @@ namespace stickslip
                        const std::vector<ContactResultants<dim>> &before,
                        const std::vector<ContactResultants<dim>> &now);
 
-    /// Adaptations since the start of the run: other cells than at the start.
-    unsigned int
-    n_adaptations() const
+    /// Since the start of the run.
+    const AdaptationProgress &
+    progress() const
     {
-      return adaptations;
+      return done;
     }
 
-    /// An accepted step had something that cells were marked by: 'first step'
-    /// is over.
-    bool
-    has_begun() const
-    {
-      return begun;
-    }
-
-    /// What a checkpoint has beside these; null if the mesh has been
+    /// What a checkpoint has beside that; null if the mesh has been
     /// adapted to the state already.
     const ErrorEstimate *
     estimate() const
@@ -159,11 +151,10 @@ namespace stickslip
     EstimatedError<dim>                        error;
     Mesh<dim>                                 &mesh;
     parallel::distributed::Triangulation<dim> *p4est;
-    unsigned int adaptations = 0;     ///< since the start
+    AdaptationProgress                         done;
     unsigned int repetitions = 0;     ///< of this step
     unsigned int levels      = 0;     ///< of this adaptation
     bool         has_warned  = false; ///< of bounds
-    bool         begun       = false; ///< has_begun()
 
     // since the last row
     unsigned int transfer_iterations = 0;
