@@ -155,7 +155,7 @@ namespace stickslip
       {
         const auto for_each_face = [&](const auto &visit) {
           for (const auto &pair : contact.contact_pairs())
-            if (!pair->mortar)
+            if (!pair->mortar && pair->patch->tool() == nullptr)
               for (const SurfaceFace<dim> &face : pair->patch->owned_faces())
                 visit(face, pair->displacement_shape);
         };
@@ -270,6 +270,8 @@ namespace stickslip
           if (!pair.parameters.is_bilateral())
             slave[law_error_at(n)] +=
               std::abs(sample.weight) * law_error(point, sample);
+          if (pair.patch->tool() != nullptr)
+            return; // nothing in a tool has an error
           if (!pair.mortar)
             return on_masters.add(sample, -force);
           add_force(sample.N_master,

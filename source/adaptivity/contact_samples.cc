@@ -61,8 +61,9 @@ namespace stickslip
               const auto        &master = pair.patch->configuration(m);
               ContactSample<dim> sample(slave.face, pair.patch->face(m));
               pair.displacement_shape.evaluate_values(place.xi, sample.N_slave);
-              pair.patch->face_shape().evaluate_values(place.eta,
-                                                       sample.N_master);
+              pair.patch->evaluate_values(place.chart,
+                                          place.eta,
+                                          sample.N_master);
               pair.multiplier_shape.evaluate_values(place.xi, L);
               sample.weight = place.weight *
                               combination(slave.extended, around.multiplier, L);
@@ -112,8 +113,9 @@ namespace stickslip
           pair.patch->face(point.pairing.face));
         sample.N_slave =
           pair.table.displacement[point.geometry.quadrature_index].value;
-        pair.patch->face_shape().evaluate_values(point.pairing.xi,
-                                                 sample.N_master);
+        pair.patch->evaluate_values(point.pairing.chart,
+                                    point.pairing.xi,
+                                    sample.N_master);
         sample.weight = pair.area_of(point);
         sample.d_n    = state.kinematics.d_n;
         sample.d_t    = state.kinematics.d_t;

@@ -41,7 +41,7 @@ namespace stickslip
     const SurfaceFace<dim> &slave;
     const SurfaceFace<dim> &master;
     std::vector<double>     N_slave;  ///< shape functions of the nodes there
-    std::vector<double>     N_master; ///< likewise
+    std::vector<double>     N_master; ///< likewise; of a tool, of its frame
     double weight = 0.; ///< undeformed slave area, times the node's function
     double d_n    = 0.; ///< minus the gap there [length]
     Tensor<1, dim> d_t; ///< slip of the step there
