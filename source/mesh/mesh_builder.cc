@@ -80,12 +80,51 @@ namespace stickslip
 
 
 
+    /// The faces must match one to one; better said here than on some ranks.
+    template <int dim>
+    void
+    check_periodicity(const PeriodicRequest  &request,
+                      const PeriodicBoundary &boundary,
+                      Triangulation<dim>     &coarse_mesh)
+    try
+      {
+        std::map<types::boundary_id, unsigned int> n_faces;
+        for (const auto &face : coarse_mesh.active_face_iterators())
+          ++n_faces[face->boundary_id()];
+        if (n_faces[boundary.first] != n_faces[boundary.second])
+          throw UserError(request.parameter_path + ": boundary " +
+                          request.first + " of body '" + request.body +
+                          "' has " + std::to_string(n_faces[boundary.first]) +
+                          " coarse faces, boundary " + request.second +
+                          " has " + std::to_string(n_faces[boundary.second]) +
+                          "; periodic boundaries must match face to face.");
+        add_periodicity<dim>({boundary}, coarse_mesh);
+      }
+    catch (const ExceptionBase &exception)
+      {
+        throw UserError(
+          request.parameter_path + ": boundaries " + request.first + " and " +
+          request.second + " of body '" + request.body +
+          "' cannot be identified by a " +
+          (boundary.is_cyclic()
+             ? std::string("rotation")
+             : std::string("shift in direction ") + "xyz"[request.direction]) +
+          ". " + short_message(exception));
+      }
+
+
+
     template <int dim>
     std::vector<PeriodicBoundary>
     find_periodic_boundaries(const std::vector<PeriodicRequest> &requests,
+                             const JoinedMesh<dim>              &joined_mesh,
                              const Bodies                       &bodies)
     {
       std::vector<PeriodicBoundary> result;
+      if (requests.empty())
+        return result;
+      Triangulation<dim> coarse_mesh;
+      joined_mesh.create(coarse_mesh);
       for (const PeriodicRequest &request : requests)
         {
           const std::string &path = request.parameter_path;
@@ -93,74 +132,21 @@ namespace stickslip
             throw UserError(path + ": there is no direction " +
                             std::to_string(request.direction) + " in " +
                             std::to_string(dim) + "D.");
-          result.push_back(
-            {bodies.single_boundary_id(request.body, request.first, path),
-             bodies.single_boundary_id(request.body, request.second, path),
-             request.direction});
-          if (result.back().first == result.back().second)
+          const auto first =
+            bodies.single_boundary_id(request.body, request.first, path);
+          const auto second =
+            bodies.single_boundary_id(request.body, request.second, path);
+          if (first == second)
             throw UserError(path + ": both periodic boundaries are the same.");
+          result.push_back(
+            find_periodic_boundary(request,
+                                   coarse_mesh,
+                                   bodies.index_of(request.body, path),
+                                   first,
+                                   second));
+          check_periodicity(request, result.back(), coarse_mesh);
         }
       return result;
-    }
-
-
-
-    /// Tells the coarse mesh which of its faces are the same.
-    template <int dim>
-    void
-    add_periodicity(const std::vector<PeriodicBoundary> &boundaries,
-                    Triangulation<dim>                  &triangulation)
-    {
-      std::vector<
-        GridTools::PeriodicFacePair<typename Triangulation<dim>::cell_iterator>>
-        pairs;
-      for (const PeriodicBoundary &boundary : boundaries)
-        GridTools::collect_periodic_faces(triangulation,
-                                          boundary.first,
-                                          boundary.second,
-                                          boundary.direction,
-                                          pairs);
-      if (!pairs.empty())
-        triangulation.add_periodicity(pairs);
-    }
-
-
-
-    /// The faces must match one to one; better said here than on some ranks.
-    template <int dim>
-    void
-    check_periodicity(const JoinedMesh<dim>               &joined_mesh,
-                      const std::vector<PeriodicBoundary> &boundaries,
-                      const std::vector<PeriodicRequest>  &requests)
-    {
-      if (boundaries.empty())
-        return;
-      Triangulation<dim> coarse_mesh;
-      joined_mesh.create(coarse_mesh);
-      for (unsigned int i = 0; i < boundaries.size(); ++i)
-        try
-          {
-            std::map<types::boundary_id, unsigned int> n_faces;
-            for (const auto &face : coarse_mesh.active_face_iterators())
-              ++n_faces[face->boundary_id()];
-            if (n_faces[boundaries[i].first] != n_faces[boundaries[i].second])
-              throw UserError(
-                requests[i].parameter_path + ": boundary " + requests[i].first +
-                " of body '" + requests[i].body + "' has " +
-                std::to_string(n_faces[boundaries[i].first]) +
-                " coarse faces, boundary " + requests[i].second + " has " +
-                std::to_string(n_faces[boundaries[i].second]) +
-                "; periodic boundaries must match face to face.");
-            add_periodicity<dim>({boundaries[i]}, coarse_mesh);
-          }
-        catch (const ExceptionBase &exception)
-          {
-            throw UserError(
-              requests[i].parameter_path + ": boundaries " + requests[i].first +
-              " and " + requests[i].second + " of body '" + requests[i].body +
-              "' cannot be identified by a shift in direction " +
-              "xyz"[requests[i].direction] + ". " + short_message(exception));
-          }
     }
 
 
@@ -339,9 +325,8 @@ namespace stickslip
                       plural(*simplices) + ", only of " +
                       plural(ReferenceCells::get_hypercube<dim>()) + ".");
 
-    mesh.periodic_boundaries =
-      find_periodic_boundaries<dim>(periodic_requests, mesh.bodies);
-    check_periodicity(joined_mesh, mesh.periodic_boundaries, periodic_requests);
+    mesh.bodies.periodic_boundaries =
+      find_periodic_boundaries(periodic_requests, joined_mesh, mesh.bodies);
 
     // p4est knows no simplices
     const bool with_metis =
@@ -368,7 +353,7 @@ namespace stickslip
       (with_metis ? distribute_with_metis<dim> : distribute_with_p4est<dim>);
     mesh.triangulation = distribute(
       joined_mesh,
-      mesh.periodic_boundaries,
+      mesh.bodies.periodic_boundaries,
       parameters.global_refinements,
       {costly_surfaces, mesh.bodies, parameters.contact_weight},
       [&](parallel::distributed::Triangulation<dim> &triangulation) {

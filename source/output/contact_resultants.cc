@@ -70,17 +70,26 @@ namespace stickslip
     {
       using Sums = ContactSums<dim>;
 
-      const double         w              = point.reference_weight;
-      const Tensor<1, dim> normal_force   = w * point.pressure * point.normal;
-      const Tensor<1, dim> friction_force = w * point.tangential_traction;
-      const Tensor<1, 3>   moment =
-        moment_of_force(point.centre_of_force, normal_force + friction_force);
+      const double   w              = point.reference_weight;
+      Tensor<1, dim> normal_force   = w * point.pressure * point.normal;
+      Tensor<1, dim> friction_force = w * point.tangential_traction;
+      Point<dim>     centre         = point.centre_of_force;
+      if (point.image) // the forces count where the master itself is
+        {
+          const PeriodicMotion back = point.image->inverse();
+          const Tensor<2, dim> Q    = back.rotation_matrix<dim>();
+          normal_force              = Q * normal_force;
+          friction_force            = Q * friction_force;
+          centre                    = Point<dim>(back(Tensor<1, dim>(centre)));
+        }
+      const Tensor<1, 3> moment =
+        moment_of_force(centre, normal_force + friction_force);
 
       for (unsigned int d = 0; d < dim; ++d)
         {
           sums.normal_force[d] += normal_force[d];
           sums.friction_force[d] += friction_force[d];
-          sums.first_moment[d] += w * point.pressure * point.centre_of_force[d];
+          sums.first_moment[d] += w * point.pressure * centre[d];
         }
       for (unsigned int d = 0; d < 3; ++d)
         sums.moment[d] += moment[d];

@@ -160,6 +160,7 @@ namespace stickslip
           const bool is_cut =
             condition.type == BoundaryConditionType::symmetry ||
             condition.type == BoundaryConditionType::periodic ||
+            condition.type == BoundaryConditionType::cyclic_symmetry ||
             condition.type == BoundaryConditionType::pretension;
           const bool is_prescribed = prescribes_all(condition);
           if (!is_cut && !is_prescribed)

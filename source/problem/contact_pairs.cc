@@ -75,6 +75,9 @@ namespace stickslip
     const std::function<double(const types::material_id)> &modulus,
     const MPI_Comm                                        &communicator)
   {
+    const auto images =
+      std::make_shared<const PeriodicImages<dim>>(bodies.periodic_boundaries,
+                                                  dofs.periodic_nodes);
     std::vector<std::unique_ptr<ContactPair<dim>>> pairs;
     for (const auto &[name, pair] : parameters)
       {
@@ -115,7 +118,8 @@ namespace stickslip
                               {},
                               bodies.cross_section,
                               bodies.bodies[slave_body].cells,
-                              bodies.bodies[master_body].cells};
+                              bodies.bodies[master_body].cells,
+                              master_body};
         if (bodies.bodies[slave_body].parameters.is_tool())
           throw UserError("'" + path + "/Slave body = " + pair.slave_body +
                           "': a rigid tool has no contact points. Let it be "
@@ -143,6 +147,7 @@ namespace stickslip
                                                            supports,
                                                            modulus,
                                                            tool,
+                                                           images,
                                                            communicator));
         check_multipliers_on_axis(*pairs.back(), path, communicator);
       }

@@ -42,7 +42,7 @@ namespace stickslip
     const Amplitudes                             &amplitudes)
     : mesh(mesh)
     , communicator(mesh.triangulation->get_communicator())
-    , dofs(*mesh.triangulation, degree)
+    , dofs(*mesh.triangulation, degree, mesh.bodies.periodic_boundaries)
     , quasi_tangent(quasi_tangent)
     , boundary_conditions(conditions, mesh.bodies, amplitudes)
   {

@@ -9,7 +9,8 @@ namespace stickslip
   template <int dim>
   DofLayout<dim>::DofLayout(
     const parallel::DistributedTriangulationBase<dim> &triangulation,
-    const unsigned int                                 degree)
+    const unsigned int                                 degree,
+    const std::vector<PeriodicBoundary>               &periodic)
     : kinds(kinds_of_cells(triangulation))
     , mapping(make_conforming_mapping(triangulation, degree))
     , elements(make_vector_elements<dim>(kinds, degree))
@@ -18,6 +19,7 @@ namespace stickslip
     distribute_dofs(elements, dof_handler);
     owned = dof_handler.locally_owned_dofs();
     DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
+    periodic_nodes = PeriodicNodes<dim>(periodic, mapping, dof_handler);
   }
 
 

@@ -168,7 +168,7 @@ namespace stickslip
   {
     Constraints lines(with_masters(dofs.relevant));
     DoFTools::make_hanging_node_constraints(dofs.dof_handler, lines);
-    boundary_conditions.add_periodicity(dofs.dof_handler, lines);
+    dofs.periodic_nodes.add_lines(lines);
     return lines;
   }
 

@@ -303,28 +303,6 @@ namespace stickslip
 
 
 
-  std::vector<PeriodicRequest>
-  CaseParameters::periodic_requests() const
-  {
-    std::vector<PeriodicRequest> requests;
-    for (const auto &[name, condition] : boundary_conditions)
-      if (condition.type == BoundaryConditionType::periodic)
-        {
-          const std::string path = "Boundary conditions/" + name;
-          PeriodicRequest   request;
-          request.parameter_path = path;
-          request.body           = condition.body;
-          request.first          = condition.boundary.at(0);
-          request.second         = condition.second_boundary.at(0);
-          request.direction = dimension == 2 ? condition.periodic_axis<2>(path)
-                                             : condition.periodic_axis<3>(path);
-          requests.push_back(request);
-        }
-    return requests;
-  }
-
-
-
   Amplitudes
   CaseParameters::make_amplitudes(const MPI_Comm communicator) const
   {

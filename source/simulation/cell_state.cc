@@ -182,6 +182,7 @@ namespace stickslip
     for (unsigned int i = 1; i < face.cell.size(); ++i)
       cursor(face.cell[i]);
     cursor(face.face);
+    cursor(face.image);
     for (unsigned int d = 0; d < dim - 1; ++d)
       {
         cursor(pairing.xi[d]);

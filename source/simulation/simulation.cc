@@ -10,6 +10,7 @@
 #include <stickslip/simulation/final_results.h>
 #include <stickslip/simulation/run_files.h>
 #include <stickslip/simulation/step_statistics.h>
+#include <stickslip/solid/periodic_conditions.h>
 #include <stickslip/solid/volumetric_locking.h>
 
 #include <iostream>
@@ -22,11 +23,12 @@ namespace stickslip
                               const MPI_Comm &communicator)
     : parameters(parameters)
     , communicator(communicator)
-    , mesh(build_mesh<dim>(parameters.mesh,
-                           parameters.bodies,
-                           parameters.periodic_requests(),
-                           communicator,
-                           parameters.slave_surfaces()))
+    , mesh(
+        build_mesh<dim>(parameters.mesh,
+                        parameters.bodies,
+                        periodic_requests(parameters.boundary_conditions, dim),
+                        communicator,
+                        parameters.slave_surfaces()))
     , automatic(parameters.add_automatic_pairs(mesh))
     , step_control(parameters.load_stepping,
                    fallback_sequence(parameters.algorithm.name,

@@ -2,6 +2,8 @@
 
 #include <stickslip/base/user_error.h>
 
+#include <stickslip/solid/periodic_conditions.h>
+
 #include <deal.II/base/utilities.h>
 
 #include <memory>
@@ -51,10 +53,13 @@ namespace stickslip
       throw UserError(path + "/Components is cylindrical" + model +
                       "x is the radius already. Take Cartesian.");
     if (parameters.type == BoundaryConditionType::periodic &&
-        parameters.periodic_axis<2>(path) == 0)
+        periodic_axis<2>(parameters, path) == 0)
       throw UserError(path + "/Direction is '" + parameters.direction + "'" +
                       model +
                       "x is the radius, along which nothing repeats. Take y.");
+    if (parameters.type == BoundaryConditionType::cyclic_symmetry)
+      throw UserError(path + "/Type is 'cyclic symmetry'" + model +
+                      "the bodies are the same all around already. Remove it.");
     if (parameters.type != BoundaryConditionType::rigid_motion &&
         parameters.type != BoundaryConditionType::distributed_force)
       return;

@@ -26,6 +26,7 @@ namespace stickslip
       {"body force", BoundaryConditionType::body_force},
       {"distributed force", BoundaryConditionType::distributed_force},
       {"periodic", BoundaryConditionType::periodic},
+      {"cyclic symmetry", BoundaryConditionType::cyclic_symmetry},
       {"pretension", BoundaryConditionType::pretension}};
     return choices;
   }
@@ -69,7 +70,10 @@ namespace stickslip
       "force': force per reference volume, Value. 'distributed force': Force "
       "and Torque at Rotation centre, as tractions that are linear over the "
       "boundary and do not stiffen it. 'periodic': the "
-      "displacements on Boundary and Second boundary are equal. 'pretension': "
+      "displacements on Boundary and Second boundary are equal. 'cyclic "
+      "symmetry': those on Second boundary are those on Boundary, turned about "
+      "Rotation axis through Rotation centre from one to the other; a whole "
+      "number of such sectors makes a full turn. 'pretension': "
       "these are the "
       "two sides of a plane cut through a bolt, with the same nodes; Force "
       "draws them over each other, and from Locked from on this stays.");
@@ -134,22 +138,25 @@ namespace stickslip
                       "Of a rigid motion: springs against free rotations, as "
                       "many numbers (torque per radian) as Rotation angle.",
                       Patterns::Anything());
-    prm.add_parameter("Rotation axis",
-                      rotation_axis,
-                      "Of a rigid motion and of cylindrical components in 3D: "
-                      "x, y, z or a vector 'a, b, c'.",
-                      Patterns::Anything());
-    prm.add_parameter("Rotation centre",
-                      rotation_centre,
-                      "Of a rigid motion and of cylindrical components: a "
-                      "point on the axis in the reference configuration, and "
-                      "what Translation, Force and Torque refer to. Empty: the "
-                      "origin, but not with a free rotation.",
-                      Patterns::Anything());
-    prm.add_parameter("Second boundary",
-                      second_boundary,
-                      "Of a periodic condition: the other boundary. Of a "
-                      "pretension: the other side of the cut.");
+    prm.add_parameter(
+      "Rotation axis",
+      rotation_axis,
+      "Of a rigid motion, of cyclic symmetry and of cylindrical "
+      "components in 3D: x, y, z or a vector 'a, b, c'.",
+      Patterns::Anything());
+    prm.add_parameter(
+      "Rotation centre",
+      rotation_centre,
+      "Of a rigid motion, of cyclic symmetry and of cylindrical "
+      "components: a point on the axis in the reference configuration, and "
+      "what Translation, Force and Torque refer to. Empty: the "
+      "origin, but not with a free rotation.",
+      Patterns::Anything());
+    prm.add_parameter(
+      "Second boundary",
+      second_boundary,
+      "Of a periodic condition and of cyclic symmetry: the other "
+      "boundary. Of a pretension: the other side of the cut.");
     prm.add_parameter("Second body",
                       second_body,
                       "Of a pretension: the body of Second boundary. Empty: "
@@ -251,8 +258,9 @@ namespace stickslip
                       "/Components = cylindrical: a condition of type '" +
                       type_name + "' has no components.");
     active_interval(path);
-    const bool joins = (type == BoundaryConditionType::periodic ||
-                        type == BoundaryConditionType::pretension);
+    const bool repeats = (type == BoundaryConditionType::periodic ||
+                          type == BoundaryConditionType::cyclic_symmetry);
+    const bool joins   = repeats || type == BoundaryConditionType::pretension;
     if (joins)
       {
         forbid(!active_from.empty(), "Active from");
@@ -277,13 +285,16 @@ namespace stickslip
       throw UserError(path + "/Stiffness has to be greater than 0.");
 
     if (type == BoundaryConditionType::periodic)
+      require(!direction.empty(), "Direction");
+    if (type == BoundaryConditionType::cyclic_symmetry)
+      forbid(!direction.empty(), "Direction");
+    if (repeats)
       {
-        require(!direction.empty(), "Direction");
         if (boundary.size() != 1 || second_boundary.size() != 1)
           throw UserError(path +
                           ": 'Boundary' and 'Second boundary' of a "
-                          "periodic condition have to be one id or name "
-                          "each.");
+                          "condition of type '" +
+                          type_name + "' have to be one id or name each.");
       }
   }
 
@@ -375,26 +386,8 @@ namespace stickslip
 
 
 
-  template <int dim>
-  unsigned int
-  BoundaryConditionParameters::periodic_axis(const std::string &path) const
-  {
-    const Tensor<1, dim> vector = unit_direction<dim>(path);
-    for (unsigned int d = 0; d < dim; ++d)
-      if (std::abs(std::abs(vector[d]) - 1.) < 1e-12)
-        return d;
-    throw UserError(path + "/Direction is '" + direction +
-                    "', but a periodic condition has to be along an axis.");
-  }
-
-
-
   template Tensor<1, 2>
   BoundaryConditionParameters::unit_direction<2>(const std::string &) const;
   template Tensor<1, 3>
   BoundaryConditionParameters::unit_direction<3>(const std::string &) const;
-  template unsigned int
-  BoundaryConditionParameters::periodic_axis<2>(const std::string &) const;
-  template unsigned int
-  BoundaryConditionParameters::periodic_axis<3>(const std::string &) const;
 } // namespace stickslip

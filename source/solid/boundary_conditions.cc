@@ -88,8 +88,8 @@ namespace stickslip
           add_load(name, parameters);
           break;
         case BoundaryConditionType::periodic:
-          add_periodic_pair(name, parameters);
-          break;
+        case BoundaryConditionType::cyclic_symmetry:
+          break; // Bodies::periodic_boundaries
         case BoundaryConditionType::pretension:
           all_pretensions.emplace_back(name,
                                        parameters,
@@ -211,31 +211,6 @@ namespace stickslip
         load.value = value;
       }
     all_loads.push_back(load);
-  }
-
-
-
-  template <int dim>
-  void
-  BoundaryConditions<dim>::add_periodic_pair(
-    const std::string                 &name,
-    const BoundaryConditionParameters &parameters)
-  {
-    const std::string path = boundary_condition_path(name);
-    Periodicity       pair;
-    pair.name   = name;
-    pair.body   = bodies.index_of(parameters.body, path + "/Body");
-    pair.first  = bodies.single_boundary_id(parameters.body,
-                                           parameters.boundary.at(0),
-                                           path + "/Boundary");
-    pair.second = bodies.single_boundary_id(parameters.body,
-                                            parameters.second_boundary.at(0),
-                                            path + "/Second boundary");
-    pair.axis   = parameters.periodic_axis<dim>(path);
-    if (pair.first == pair.second)
-      throw UserError(path +
-                      ": 'Boundary' and 'Second boundary' are the same.");
-    all_periodicities.push_back(pair);
   }
 
 
@@ -372,18 +347,6 @@ namespace stickslip
                                    load.boundary_ids,
                                    bodies.cross_section,
                                    displacements);
-  }
-
-
-
-  template <int dim>
-  void
-  BoundaryConditions<dim>::add_periodicity(const DoFHandler<dim> &dof_handler,
-                                           Constraints &constraints) const
-  {
-    for (const Periodicity &pair : all_periodicities)
-      DoFTools::make_periodicity_constraints(
-        dof_handler, pair.first, pair.second, pair.axis, constraints);
   }
 
 

@@ -172,13 +172,11 @@ namespace stickslip
                          softest_spring,
                          modes[group_of_body[load.body]]);
 
-      for (const auto &pair : conditions.periodicities())
-        {
-          const Tensor<1, dim> offset =
-            mean_face_position(triangulation, pair.second) -
-            mean_face_position(triangulation, pair.first);
-          modes[group_of_body[pair.body]].tie(offset);
-        }
+      for (const PeriodicBoundary &boundary : bodies.periodic_boundaries)
+        modes[group_of_body[boundary.body]].tie(
+          mean_face_position(triangulation, boundary.first),
+          mean_face_position(triangulation, boundary.second),
+          boundary.motion.rotation_matrix<dim>());
       for (RigidBodyModes<dim> &of_group : modes)
         of_group.sum_over_ranks(communicator);
       return modes;

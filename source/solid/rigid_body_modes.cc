@@ -163,15 +163,30 @@ namespace stickslip
 
   template <int dim>
   void
-  RigidBodyModes<dim>::tie(const Tensor<1, dim> &offset)
+  RigidBodyModes<dim>::tie(const Point<dim>     &first,
+                           const Point<dim>     &second,
+                           const Tensor<2, dim> &Q)
   {
-    for (unsigned int d = 0; d < dim; ++d)
+    std::vector<Tensor<1, dim>> offsets(1); // that place, and others around it
+    for (unsigned int c = 0; c < dim; ++c)
       {
-        Vector<double> row(n_modes);
-        for (unsigned int r = 0; r < n_rotations; ++r)
-          row(dim + r) = rotation_displacement<dim>(r, offset / length)[d];
-        add_row(row);
+        offsets.emplace_back();
+        offsets.back()[c] = length;
       }
+    for (const Tensor<1, dim> &offset : offsets)
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          Vector<double> row(n_modes);
+          for (unsigned int m = 0; m < n_modes; ++m)
+            {
+              const Tensor<1, dim> there =
+                rigid_mode<dim>(m, second + Q * offset - centre);
+              const Tensor<1, dim> here =
+                Q * rigid_mode<dim>(m, first + offset - centre);
+              row(m) = (there - here)[d] / (m < dim ? 1. : length);
+            }
+          add_row(row);
+        }
   }
 
 

@@ -9,6 +9,8 @@
 
 #include <stickslip/simulation/case_parameters.h>
 
+#include <stickslip/solid/periodic_conditions.h>
+
 #include <string>
 
 namespace
@@ -34,7 +36,8 @@ namespace
       : parameters(prm_text)
       , mesh(build_mesh<dim>(parameters.mesh,
                              parameters.bodies,
-                             parameters.periodic_requests(),
+                             periodic_requests(parameters.boundary_conditions,
+                                               dim),
                              MPI_COMM_WORLD))
       , problem(mesh,
                 parameters.degree,

@@ -78,7 +78,7 @@ namespace
                   const bool         both_sides = false,
                   const double       amplitude  = 0.) ///< of displacements
       : mesh(make_mesh(height, degree))
-      , dofs(*mesh.triangulation, degree)
+      , dofs(*mesh.triangulation, degree, {})
       , shape(degree)
       , amplitude(amplitude)
     {

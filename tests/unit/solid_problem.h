@@ -189,7 +189,6 @@ namespace solid_test
 
       geometric.reinit(relevant);
       DoFTools::make_hanging_node_constraints(dof_handler, geometric);
-      boundary_conditions->add_periodicity(dof_handler, geometric);
       geometric.close();
     }
 
@@ -198,7 +197,6 @@ namespace solid_test
     {
       Constraints constraints(relevant);
       DoFTools::make_hanging_node_constraints(dof_handler, constraints);
-      boundary_conditions->add_periodicity(dof_handler, constraints);
       boundary_conditions->add_prescribed_displacements(
         mapping, dof_handler, time, u, constraints);
       constraints.close();

@@ -23,11 +23,9 @@ namespace
   {
     std::vector<Point<dim>> positions = others;
     positions.emplace_back();
-    std::vector<types::global_dof_index> dofs;
-    for (unsigned int i = 0; i < positions.size() * dim; ++i)
-      dofs.push_back(i);
-    const auto P =
-      symmetry_projection(positions, dofs, others.size(), supports);
+    const unsigned int own = others.size();
+    const auto         P   = symmetry_projection<dim>(
+      positions, own, own * dim, unit_symmetric_tensor<dim>(), supports);
     print(text + ":");
     for (unsigned int c = 0; c < dim; ++c)
       {

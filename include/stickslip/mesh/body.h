@@ -5,6 +5,7 @@
 #include <stickslip/mesh/body_parameters.h>
 #include <stickslip/mesh/cross_section.h>
 #include <stickslip/mesh/labelled_ids.h>
+#include <stickslip/mesh/periodicity.h>
 
 #include <deal.II/base/types.h>
 
@@ -48,9 +49,10 @@ namespace stickslip
   class Bodies
   {
   public:
-    std::vector<Body>   bodies;
-    std::vector<Region> regions;
-    CrossSection        cross_section;
+    std::vector<Body>             bodies;
+    std::vector<Region>           regions;
+    CrossSection                  cross_section;
+    std::vector<PeriodicBoundary> periodic_boundaries;
 
     /// Index of the body @p name. Throws UserError (with the known names) that
     /// blames the parameter @p parameter_path.

@@ -20,8 +20,7 @@ namespace stickslip
   {
     std::unique_ptr<parallel::DistributedTriangulationBase<dim>> triangulation;
     Bodies                                                       bodies;
-    std::vector<PeriodicBoundary> periodic_boundaries;
-    std::vector<std::string>      warnings; ///< for the user
+    std::vector<std::string> warnings; ///< for the user
     /// Active cells, over all ranks; empty if all have the same level.
     std::vector<types::global_cell_index> cells_by_level;
   };

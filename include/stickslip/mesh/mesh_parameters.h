@@ -65,24 +65,6 @@ namespace stickslip
     void
     add_parameters(ParameterHandler &prm);
   };
-
-  /// The wish that two opposite boundaries of a body be identified.
-  struct PeriodicRequest
-  {
-    std::string  parameter_path; ///< for messages
-    std::string  body;
-    std::string  first; ///< ids or names
-    std::string  second;
-    unsigned int direction = 0; ///< the faces differ by a shift in x, y, z
-  };
-
-  /// The same with the triangulation's boundary ids.
-  struct PeriodicBoundary
-  {
-    types::boundary_id first;
-    types::boundary_id second;
-    unsigned int       direction;
-  };
 } // namespace stickslip
 
 #endif

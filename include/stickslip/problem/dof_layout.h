@@ -2,6 +2,8 @@
 #define stickslip_problem_dof_layout_h
 
 #include <stickslip/base/types.h>
+
+#include <stickslip/mesh/periodic_nodes.h>
 #include <stickslip/mesh/reference_cells.h>
 
 #include <deal.II/base/index_set.h>
@@ -27,8 +29,10 @@ namespace stickslip
   class DofLayout
   {
   public:
+    /// Collective.
     DofLayout(const parallel::DistributedTriangulationBase<dim> &triangulation,
-              const unsigned int                                 degree);
+              const unsigned int                                 degree,
+              const std::vector<PeriodicBoundary>               &periodic);
 
     unsigned int
     degree() const
@@ -58,6 +62,7 @@ namespace stickslip
     DoFHandler<dim>                  dof_handler;
     IndexSet                         owned;
     IndexSet                         relevant;
+    PeriodicNodes<dim>               periodic_nodes;
   };
 
   /// [displacements, multipliers] as one index set, multipliers shifted.

@@ -92,10 +92,6 @@ namespace stickslip
     AutomaticPairs
     add_automatic_pairs(const Mesh<dim> &mesh);
 
-    /// Requests for periodic boundaries, which the mesh must know.
-    std::vector<PeriodicRequest>
-    periodic_requests() const;
-
     /// Reads the files of the amplitudes. Collective. Throws UserError.
     Amplitudes
     make_amplitudes(const MPI_Comm communicator) const;

@@ -27,6 +27,7 @@ namespace stickslip
     body_force,
     distributed_force,
     periodic,
+    cyclic_symmetry,
     pretension
   };
 
@@ -84,11 +85,6 @@ namespace stickslip
     template <int dim>
     dealii::Tensor<1, dim>
     unit_direction(const std::string &path) const;
-
-    /// "Direction" of a periodic condition as the number of a coordinate axis.
-    template <int dim>
-    unsigned int
-    periodic_axis(const std::string &path) const;
 
     /// Throws UserError if an end is no number or the interval is empty.
     ActiveInterval

@@ -25,23 +25,14 @@ namespace stickslip
 {
   /**
    * What the user prescribes on the bodies' boundaries, made from the section
-   * "Boundary conditions": loads (for SolidAssembler), displacements,
-   * periodicity and pretension (as constraints).
+   * "Boundary conditions": loads (for SolidAssembler), displacements and
+   * pretension (as constraints). Periodicity is a matter of the mesh
+   * (mesh/periodic_nodes.h).
    */
   template <int dim>
   class BoundaryConditions
   {
   public:
-    /// One condition of the type periodic; global boundary ids.
-    struct Periodicity
-    {
-      std::string        name;
-      unsigned int       body;
-      types::boundary_id first;
-      types::boundary_id second;
-      unsigned int       axis;
-    };
-
     /**
      * Not collective, but the same on all ranks. Throws UserError for unknown
      * bodies, boundary ids without a face, wrong expressions and for
@@ -72,12 +63,6 @@ namespace stickslip
                                  const double                      time,
                                  const LA::Vector                 &u,
                                  Constraints &constraints) const;
-
-    /// Adds the periodicity constraints (homogeneous). Collective. Call before
-    /// add_prescribed_displacements().
-    void
-    add_periodicity(const DoFHandler<dim> &dof_handler,
-                    Constraints           &constraints) const;
 
     /// Whether a rigid motion with free components moves the rigid body.
     bool
@@ -115,12 +100,6 @@ namespace stickslip
       return displacements;
     }
 
-    const std::vector<Periodicity> &
-    periodicities() const
-    {
-      return all_periodicities;
-    }
-
     const std::vector<Pretension<dim>> &
     pretensions() const
     {
@@ -140,10 +119,6 @@ namespace stickslip
     add_load(const std::string                 &name,
              const BoundaryConditionParameters &parameters);
 
-    void
-    add_periodic_pair(const std::string                 &name,
-                      const BoundaryConditionParameters &parameters);
-
     /// Null if the condition names none.
     std::shared_ptr<const Amplitude>
     amplitude_of(const BoundaryConditionParameters &parameters,
@@ -158,7 +133,6 @@ namespace stickslip
 
     std::vector<PrescribedDisplacement<dim>> displacements;
     std::vector<Load<dim>>                   all_loads;
-    std::vector<Periodicity>                 all_periodicities;
     std::vector<Pretension<dim>>             all_pretensions;
   };
 } // namespace stickslip

@@ -41,9 +41,12 @@ namespace stickslip
     void
     hold_rotation(const Tensor<1, 3> &axis);
 
-    /// Two positions with the given offset move alike.
+    /// The motion at @p second is that at @p first, turned by @p Q, and so it is
+    /// for what is fixed to these places.
     void
-    tie(const Tensor<1, dim> &offset);
+    tie(const Point<dim>     &first,
+        const Point<dim>     &second,
+        const Tensor<2, dim> &Q);
 
     /// Sums over the ranks what they hold. Collective.
     void

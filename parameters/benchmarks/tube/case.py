@@ -3,6 +3,8 @@
 
     python3 case.py SIZE [FRICTION [FILE.prm]]      # quick, rough, coarse, medium, full
 
+One sector of 120 degrees with one roller; case(..., whole=True) is the whole tube.
+
 Printed in the paper: radii, lengths of tube and sheet, materials but for the curve of
 the sheet, 360 s in steps of 1 s. The rest is assumed (README.md).
 """
@@ -120,7 +122,7 @@ def section(name, **settings):
     return "\n".join([f"  subsection {name}", *lines, "  end"]) + "\n"
 
 
-def whole(name, *parts):
+def together(name, *parts):
     return f"subsection {name}\n{''.join(parts)}end\n\n"
 
 
@@ -129,12 +131,12 @@ def start(i):
     return f"{{orbit*cos({120 * i}*pi/180)}}, {{orbit*sin({120 * i}*pi/180)}}, 0"
 
 
-def bodies(size):
+def bodies(size, rollers):
     below, zone, above = size["axial"]
     first, last = "{lower_face - overhang}", "{lower_face + thickness + overhang}"
-    around = f"0 |{size['around']}| 360"
+    around = f"0 |{size['around']}| 360" if rollers == 3 else f"-60 |{size['around'] // 3}| 60"
     rolled = f"z > {first} && z < {last}"
-    return whole(
+    return together(
         "Bodies",
         # Cells become shorter towards the rolled zone, and smaller towards the bore.
         section("tube", Generator="graded_annular_sector",
@@ -145,38 +147,41 @@ def bodies(size):
                 Material="sheet"),
         *(section(f"roller {i + 1}", Generator="graded_annular_sector",
                   Arguments=f"{{roller/2}}, {{roller}} : 0 |{size['roller']}| 360 : {first}, {last}",
-                  Translation=start(i), Rigid="true") for i in range(3)))
+                  Translation=start(i), Rigid="true") for i in range(rollers)))
 
 
-def conditions():
+def conditions(rollers):
     # The integral of the feed over time: a roller rolls on the tube if it turns by -orbit/roller of its way
     # round the axis, with the orbit that it has by then.
     passed = "{feed}*(min(t, {fed})^2/{2*fed} + max(t - {fed}, 0) - max(t - {held}, 0)^2/{2*(end - held)})"
-    rollers = []
-    for i in range(3):
+    motions = []
+    for i in range(rollers):
         angle = f"({120 * i} + {{speed}}*t)*{{pi/180}}"
         way = [f"({{orbit}} + {FEED})*{f}({angle}) - {{orbit*{f}({120 * i}*pi/180)}}" for f in ("cos", "sin")]
-        rollers.append(section(f"roller {i + 1}", Body=f"roller {i + 1}", Type="rigid motion",
+        motions.append(section(f"roller {i + 1}", Body=f"roller {i + 1}", Type="rigid motion",
                                Translation="; \\\n                          ".join(way) + "; 0",
                                Rotation_centre=start(i), Rotation_angle=f"-{{speed/roller}}*({{orbit}}*t + {passed})"))
-    return whole("Boundary conditions", section("rim", Body="sheet", Boundary=1, Value="0; 0; 0"),
-                 section("end", Body="tube", Boundary=4, Value="0; 0; 0"), *rollers)
+    sides = [section(f"sides of the {body}", Body=body, Type="cyclic symmetry", Boundary=2, Second_boundary=3)
+             for body in (("tube", "sheet") if rollers == 1 else ())]
+    return together("Boundary conditions", section("rim", Body="sheet", Boundary=1, Value="0; 0; 0"),
+                    section("end", Body="tube", Boundary=4, Value="0; 0; 0"), *sides, *motions)
 
 
-def contact(friction):
+def contact(friction, rollers):
     law = {"Friction": "Coulomb", "Friction_coefficient": f"{friction:g}"} if friction else {}
-    return whole("Contact",
+    return together("Contact",
                  section("expansion", Slave_body="tube", Slave_boundary="expanded", Master_body="sheet", Master_boundary=0, **law),
                  *(section(f"rolling {i + 1}", Slave_body="tube", Slave_boundary="rolled", Master_body=f"roller {i + 1}",
-                           Master_boundary=1, **law) for i in range(3)))
+                           Master_boundary=1, **law) for i in range(rollers)))
 
 
-def case(name, friction=0.3):
+def case(name, friction=0.3, whole=False):
     """The .prm of a size as text."""
     size = SIZES[name]
+    rollers = 3 if whole else 1
     return (f"# Expansion of a tube in a tube sheet by three rollers (size {name}). Written by case.py.\n" + CONSTANTS
-            + "set Title     = Tube expansion\nset Dimension = 3\nset Degree    = 2\n\n" + bodies(size) + MATERIALS
-            + conditions() + contact(friction) + OUTPUT.format(name=name, step=size["step"]))
+            + "set Title     = Tube expansion\nset Dimension = 3\nset Degree    = 2\n\n" + bodies(size, rollers) + MATERIALS
+            + conditions(rollers) + contact(friction, rollers) + OUTPUT.format(name=name, step=size["step"]))
 
 
 if __name__ == "__main__":

@@ -1,5 +1,7 @@
 #include <stickslip/contact/assembly/contact_assembler.h>
 
+#include <stickslip/contact/assembly/point_dofs.h>
+
 #include <stickslip/contact/point/tangent_stabilization.h>
 
 #include <algorithm>
@@ -76,6 +78,8 @@ namespace stickslip
       {
         const auto dofs = pair->patch->dofs();
         needed.add_indices(dofs.begin(), dofs.end());
+        const auto &originals = pair->periodic_originals();
+        needed.add_indices(originals.begin(), originals.end());
       }
     needed.compress();
     return needed;
@@ -171,38 +175,6 @@ namespace stickslip
 
 
   template <int dim>
-  std::vector<types::global_dof_index>
-  ContactAssembler<dim>::point_dofs(const ContactPair<dim>  &pair,
-                                    const ContactPoint<dim> &point) const
-  {
-    const SlaveFace<dim> &slave = pair.slave_faces[point.geometry.slave_face];
-    if (pair.mortar)
-      {
-        const unsigned int i      = point.geometry.mortar_node;
-        auto               dofs   = pair.mortar->node(i).dofs;
-        const auto        &master = pair.mortar->average(i).master_dofs;
-        dofs.insert(dofs.end(), master.begin(), master.end());
-        const unsigned int n = pair.n_multiplier_components();
-        const auto         first =
-          slave.multiplier_dofs.begin() + point.geometry.quadrature_index * n;
-        for (auto dof = first; dof != first + n; ++dof)
-          dofs.push_back(n_displacements + *dof);
-        return dofs;
-      }
-    std::vector<types::global_dof_index> dofs = slave.face.dofs;
-    if (point.pairing.paired)
-      {
-        const auto &master = pair.patch->face(point.pairing.face).dofs;
-        dofs.insert(dofs.end(), master.begin(), master.end());
-      }
-    for (const auto dof : slave.multiplier_dofs)
-      dofs.push_back(n_displacements + dof);
-    return dofs;
-  }
-
-
-
-  template <int dim>
   bool
   ContactAssembler<dim>::has_linearized_friction(
     const ContactPair<dim>  &pair,
@@ -228,6 +200,7 @@ namespace stickslip
       local_residual(this->mortar_element_of(pair, point), state, local);
     else
       local_residual(this->element_of(pair, point), state, local);
+    turn_images_back(pair, point, local);
   }
 
 
@@ -275,6 +248,7 @@ namespace stickslip
           pair.n_multiplier_components(),
           local);
       }
+    turn_images_back(pair, point, local);
   }
 
 
@@ -291,7 +265,7 @@ namespace stickslip
         {
           const ContactEvaluation<dim> &state = this->evaluate(*pair, point);
           point.observed                      = observe(point, state);
-          auto dofs                           = point_dofs(*pair, point);
+          auto dofs = point_dofs(*pair, point, n_displacements);
           local.reinit(dofs.size());
           evaluate_local_residual(*pair, point, state, local);
           drop_zeros(dofs, local);
@@ -352,7 +326,7 @@ namespace stickslip
             assume_stick_before_first_pressure(point, state);
             if (pair->mortar && point.pairing.paired)
               hold_touching_node(point, state);
-            const auto dofs = point_dofs(*pair, point);
+            const auto dofs = point_dofs(*pair, point, n_displacements);
             local.reinit(dofs.size());
             local_matrix.reinit(dofs.size(), dofs.size());
             evaluate_local_residual(*pair, point, state, local);

@@ -83,27 +83,30 @@ namespace stickslip
                     const Constraints       &constraints)
     {
       RelativeMotion<dim> motion;
-      const auto add = [&](const std::vector<types::global_dof_index> &dofs,
-                           const std::vector<double>                  &shape,
-                           const double                                sign) {
+      const auto          add = [&](const StencilNodes<dim>   &nodes,
+                           const std::vector<double> &shape,
+                           const double               sign) {
         for (unsigned int j = 0; j < shape.size(); ++j)
           for (unsigned int c = 0; c < dim; ++c)
             {
-              const auto   dof   = dofs[j * dim + c];
-              const double value = sign * shape[j];
+              const auto dof = nodes.dofs[j * dim + c];
+              // what the displacement moves there
+              const Tensor<1, dim> value =
+                sign * shape[j] *
+                (nodes.rotation(j) * Point<dim>::unit_vector(c));
               if (!constraints.is_constrained(dof))
-                motion.free[dof][c] += value;
+                motion.free[dof] += value;
               else
                 {
                   for (const auto &[other, weight] :
                        *constraints.get_constraint_entries(dof))
-                    motion.free[other][c] += value * weight;
-                  motion.prescribed[c] +=
-                    value * constraints.get_inhomogeneity(dof);
+                    motion.free[other] += weight * value;
+                  motion.prescribed +=
+                    constraints.get_inhomogeneity(dof) * value;
                 }
             }
       };
-      add(pair.slave_faces[point.geometry.slave_face].face.dofs,
+      add(pair.slave_faces[point.geometry.slave_face].face,
           pair.table.displacement[point.geometry.quadrature_index].value,
           1.);
       const SlavePosition<dim> slave = pair.slave_position(point);
@@ -117,7 +120,7 @@ namespace stickslip
           leave_out_negligible(parents_of_hanging_node *
                                  negligible_mobility(pair),
                                master_shape);
-          add(pair.patch->face(pairing.face).dofs, master_shape, -1.);
+          add(pair.patch->face(pairing.face), master_shape, -1.);
           const auto &now = pair.patch->configuration(pairing.face).positions;
           const auto &old =
             pair.patch->old_configuration(pairing.face).positions;
@@ -232,25 +235,33 @@ namespace stickslip
                             multipliers.locally_relevant(),
                             contact.get_communicator());
         }
-      for_each_point(
-        contact,
-        [&](const ContactPair<dim> &pair, const ContactPoint<dim> &point) {
-          if (!pair.parameters.has_tangential_traction() ||
-              !point.pairing.paired)
-            return;
-          const SymmetricTensor<2, dim> K =
-            moves_freely(pair, point, constraints)
-              ? unit_symmetric_tensor<dim>()
-              : mobility(pair, point, constraints);
-          const auto &dofs =
-            pair.slave_faces[point.geometry.slave_face].multiplier_dofs;
-          const auto &L =
-            pair.table.multiplier[point.geometry.quadrature_index];
-          for (unsigned int l = 0; l < L.size(); ++l)
-            for (unsigned int k = 0; k < dim; ++k)
-              for (unsigned int c = 0; c < dim; ++c)
-                sum[k](dofs[l * dim + c]) += std::abs(L[l]) * K[k][c];
-        });
+      for_each_point(contact,
+                     [&](const ContactPair<dim>  &pair,
+                         const ContactPoint<dim> &point) {
+                       if (!pair.parameters.has_tangential_traction() ||
+                           !point.pairing.paired)
+                         return;
+                       const SymmetricTensor<2, dim> K =
+                         moves_freely(pair, point, constraints)
+                           ? unit_symmetric_tensor<dim>()
+                           : mobility(pair, point, constraints);
+                       const SlaveFace<dim> &slave =
+                         pair.slave_faces[point.geometry.slave_face];
+                       const auto &dofs = slave.multiplier_dofs;
+                       const auto &L =
+                         pair.table.multiplier[point.geometry.quadrature_index];
+                       for (unsigned int l = 0; l < L.size(); ++l)
+                         {
+                           const Tensor<2, dim> R =
+                             pair.rotation_at_multiplier(slave.face, l);
+                           const Tensor<2, dim> at_node =
+                             transpose(R) * Tensor<2, dim>(K) * R;
+                           for (unsigned int k = 0; k < dim; ++k)
+                             for (unsigned int c = 0; c < dim; ++c)
+                               sum[k](dofs[l * dim + c]) +=
+                                 std::abs(L[l]) * at_node[k][c];
+                         }
+                     });
       for (unsigned int k = 0; k < dim; ++k)
         {
           sum[k].compress(VectorOperation::add);
@@ -276,15 +287,22 @@ namespace stickslip
         point.restrained.directions.clear();
         if (!point.pairing.paired || moves_freely(pair, point, constraints))
           return;
-        const auto &dofs =
-          pair.slave_faces[point.geometry.slave_face].multiplier_dofs;
+        const SlaveFace<dim> &slave =
+          pair.slave_faces[point.geometry.slave_face];
+        const auto &dofs = slave.multiplier_dofs;
         const auto &L = pair.table.multiplier[point.geometry.quadrature_index];
         SymmetricTensor<2, dim> K;
         for (unsigned int l = 0; l < L.size(); ++l)
           if (std::abs(L[l]) > 1e-12)
-            for (unsigned int k = 0; k < dim; ++k)
-              for (unsigned int c = k; c < dim; ++c)
-                K[k][c] += nodal[k](dofs[l * dim + c]);
+            {
+              const Tensor<2, dim> R =
+                pair.rotation_at_multiplier(slave.face, l);
+              Tensor<2, dim> at_node;
+              for (unsigned int k = 0; k < dim; ++k)
+                for (unsigned int c = 0; c < dim; ++c)
+                  at_node[k][c] = nodal[k](dofs[l * dim + c]);
+              K += symmetrize(R * at_node * transpose(R));
+            }
         const double negligible = negligible_mobility(pair);
         point.restrained.directions =
           tangential_directions(null_directions(K, negligible * negligible),

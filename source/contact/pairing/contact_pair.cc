@@ -27,6 +27,7 @@ namespace stickslip
     const Constraints                                     &supports,
     const std::function<double(const types::material_id)> &modulus,
     const ToolMaster<dim>                                 &tool,
+    const std::shared_ptr<const PeriodicImages<dim>>      &images,
     const MPI_Comm                                        &communicator)
     : parameters(parameters)
     , name(name)
@@ -37,6 +38,7 @@ namespace stickslip
                                              displacement_shape,
                                              path(),
                                              surfaces.cross_section))
+    , images(images)
     , gap_offsets(parameters, path())
     , communicator(communicator)
   {
@@ -47,7 +49,7 @@ namespace stickslip
                                       faces_of<dim>(surfaces.master_cells));
 
     PairFaceCollector<dim> collector{
-      mapping, dof_handler, supports, modulus, surfaces.cross_section};
+      mapping, dof_handler, supports, modulus, surfaces.cross_section, *images};
     collector.has_curved_facets = parameters.has_curved_facets();
     auto slaves                 = collector.collect(surfaces.slave,
                                     surfaces.slave_body,
@@ -66,11 +68,11 @@ namespace stickslip
                         parameters.smoothing_angle * numbers::PI / 180.);
     std::vector<SurfaceFace<dim>> owned_masters = tool.owned_frame;
     for (const auto &master : masters)
-      if (!tool.tool && master.cell->is_locally_owned())
+      if (!tool.tool && master.is_owned())
         owned_masters.push_back(master.face);
 
     for (const auto &slave : slaves)
-      if (slave.cell->is_locally_owned())
+      if (slave.is_owned())
         {
           slave_faces.push_back({slave.face, {}});
           largest_slave_diameter =
@@ -91,13 +93,23 @@ namespace stickslip
                                        parameters.end_overlap,
                                        parameters.least_cosine,
                                        meets_itself()};
-    patch = std::make_unique<MasterPatch<dim>>(
-      owned_masters, master_shape, tolerances, communicator, tool.tool);
+    const MasterImages<dim> repeated{
+      images,
+      tool.tool
+        ? std::vector<unsigned int>()
+        : images->images_of(surfaces.master_number, masters, communicator)};
+    patch = std::make_unique<MasterPatch<dim>>(owned_masters,
+                                               master_shape,
+                                               tolerances,
+                                               communicator,
+                                               tool.tool,
+                                               repeated);
 
     excluded = excluded_slave_nodes(slaves,
                                     surfaces.excluded,
                                     parameters.excluded_points,
                                     path() + "/Excluded points",
+                                    *images,
                                     mapping,
                                     dof_handler,
                                     communicator);
@@ -382,15 +394,6 @@ namespace stickslip
   }
 
 
-
-  template <int dim>
-  double
-  ContactPair<dim>::area_of(const ContactPoint<dim> &point) const
-  {
-    return point.pairing.paired && mortar
-             ? mortar->average(point.geometry.mortar_node).area
-             : point.geometry.weight;
-  }
 
   template class ContactPair<2>;
   template class ContactPair<3>;

@@ -115,7 +115,7 @@ namespace stickslip
         , partners_move(partners_move)
       {
         for (unsigned int l = 0; l < average.n_master_nodes(); ++l)
-          columns_of_nodes[average.master_dofs[l * dim]] =
+          columns_of_nodes[average.masters.name(l)] =
             node.n_stencil_nodes() + l;
       }
 
@@ -166,11 +166,11 @@ namespace stickslip
       }
 
     private:
-      const FaceShape<dim>                           &shape;
-      const MasterPatch<dim>                         &patch;
-      const unsigned int                              n_columns;
-      const bool                                      partners_move;
-      std::map<types::global_dof_index, unsigned int> columns_of_nodes;
+      const FaceShape<dim>            &shape;
+      const MasterPatch<dim>          &patch;
+      const unsigned int               n_columns;
+      const bool                       partners_move;
+      std::map<NodeName, unsigned int> columns_of_nodes;
 
       /// Columns of the nodes of a slave face and of a master face.
       std::vector<unsigned int>
@@ -180,7 +180,7 @@ namespace stickslip
         const SurfaceFace<dim>   &face = patch.face(master);
         std::vector<unsigned int> master_nodes;
         for (unsigned int k = 0; k < face.n_nodes; ++k)
-          master_nodes.push_back(columns_of_nodes.at(face.dofs[k * dim]));
+          master_nodes.push_back(columns_of_nodes.at(face.name(k)));
         return around.columns(0, master_nodes);
       }
 

@@ -4,6 +4,7 @@
 
 #include <stickslip/contact/pairing/face_boxes.h>
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
@@ -21,6 +22,19 @@ namespace stickslip
 
     /// Boxes that each rank announces: enough to follow a bent surface.
     constexpr unsigned int n_announced_boxes = 16;
+
+
+
+    /// A box, parallel to the axes, around what a box is moved to.
+    template <int dim>
+    BoundingBox<dim>
+    moved(const BoundingBox<dim> &box, const PeriodicMotion &motion)
+    {
+      std::vector<Point<dim>> corners;
+      for (const unsigned int v : GeometryInfo<dim>::vertex_indices())
+        corners.emplace_back(motion(Tensor<1, dim>(box.vertex(v))));
+      return BoundingBox<dim>(corners);
+    }
   } // namespace
 
 
@@ -34,9 +48,14 @@ namespace stickslip
   {
     positions.resize(n);
     for (unsigned int j = 0; j < n; ++j)
-      for (unsigned int c = 0; c < dim; ++c)
-        positions[j][c] =
-          face.reference_positions[j][c] + u(face.dofs[j * dim + c]);
+      {
+        Tensor<1, dim> u_j;
+        for (unsigned int c = 0; c < dim; ++c)
+          u_j[c] = u(face.dofs[j * dim + c]);
+        if (!face.rotations.empty())
+          u_j = face.rotations[j] * u_j;
+        positions[j] = face.reference_positions[j] + u_j;
+      }
   }
 
 
@@ -46,9 +65,11 @@ namespace stickslip
                                 const FaceShape<dim>         &shape,
                                 const PairingTolerances      &tolerances,
                                 const MPI_Comm               &communicator,
-                                std::shared_ptr<const RigidTool<dim>> tool)
+                                std::shared_ptr<const RigidTool<dim>> tool,
+                                MasterImages<dim>                     images)
     : tolerances(tolerances)
     , owned(std::move(owned_faces))
+    , images(std::move(images))
     , shape(shape)
     , communicator(communicator)
     , rigid_tool(std::move(tool))
@@ -103,14 +124,13 @@ namespace stickslip
     std::map<unsigned int, Changes> to_send;
     for (unsigned int rank = 0; rank < all.size(); ++rank)
       {
-        const std::vector<unsigned int> wanted =
-          owned_faces_in(all[rank], tree);
+        const std::vector<OwnedImage> wanted = owned_images_in(all[rank], tree);
         if (wanted.empty() && held_by.count(rank) == 0)
           continue; // most ranks, where there are many
-        std::vector<unsigned int> &held = held_by[rank];
+        std::vector<OwnedImage> &held = held_by[rank];
         if (wanted == held)
           continue;
-        std::vector<unsigned int> added, removed;
+        std::vector<OwnedImage> added, removed;
         std::set_difference(wanted.begin(),
                             wanted.end(),
                             held.begin(),
@@ -122,10 +142,18 @@ namespace stickslip
                             wanted.end(),
                             std::back_inserter(removed));
         Changes &changes = to_send[rank];
-        for (const unsigned int f : added)
-          changes.added.push_back(owned[f]);
-        for (const unsigned int f : removed)
-          changes.removed.push_back(owned[f].id);
+        for (const auto &[f, image] : added)
+          {
+            if (image == 0)
+              changes.added.push_back(owned[f]);
+            else if (const auto face = images.all->image_of(owned[f], image))
+              changes.added.push_back(*face);
+          }
+        for (const auto &[f, image] : removed)
+          {
+            changes.removed.push_back(owned[f].id);
+            changes.removed.back().image = image;
+          }
         held = wanted;
       }
     if (!any_rank(!to_send.empty(), communicator))
@@ -163,18 +191,26 @@ namespace stickslip
 
 
   template <int dim>
-  std::vector<unsigned int>
-  MasterPatch<dim>::owned_faces_in(const std::vector<BoundingBox<dim>> &boxes,
-                                   const RTree<Box> &tree_of_owned) const
+  std::vector<typename MasterPatch<dim>::OwnedImage>
+  MasterPatch<dim>::owned_images_in(const std::vector<BoundingBox<dim>> &boxes,
+                                    const RTree<Box> &tree_of_owned) const
   {
-    std::vector<unsigned int> result;
+    std::vector<OwnedImage> result;
     if (rigid_tool && !boxes.empty() && !owned.empty())
-      result = {0};
-    for (const auto &box : boxes)
+      result = {{0, 0}};
+    const auto add = [&](const BoundingBox<dim> &box,
+                         const unsigned int      image) {
       for (const auto &hit :
            tree_of_owned | boost::geometry::index::adaptors::queried(
                              boost::geometry::index::intersects(box)))
-        result.push_back(hit.second);
+        result.emplace_back(hit.second, image);
+    };
+    for (const auto &box : boxes)
+      {
+        add(box, 0);
+        for (const unsigned int image : images.numbers)
+          add(moved(box, images.all->motion(image).inverse()), image);
+      }
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;

@@ -14,7 +14,7 @@ namespace stickslip
   namespace
   {
     /// Numbers of the master nodes that a mortar node meets.
-    using MasterNumbers = std::map<types::global_dof_index, unsigned int>;
+    using MasterNumbers = std::map<NodeName, unsigned int>;
 
 
 
@@ -24,7 +24,7 @@ namespace stickslip
     {
       MasterNumbers numbers;
       for (unsigned int l = 0; l < average.n_master_nodes(); ++l)
-        numbers[average.master_dofs[l * dim]] = l;
+        numbers[average.masters.name(l)] = l;
       return numbers;
     }
   } // namespace
@@ -226,7 +226,7 @@ namespace stickslip
           {
             const SurfaceFace<dim> &master = patch.face(of_face.masters[i]);
             for (unsigned int k = 0; k < master.n_nodes; ++k)
-              rows[i].push_back(numbers.at(master.dofs[k * dim]));
+              rows[i].push_back(numbers.at(master.name(k)));
             const auto  columns = around.columns(n_slave, rows[i]);
             const auto &D_M_i   = D_M[i][around.multiplier];
             for (unsigned int l = 0; l < master.n_nodes; ++l)

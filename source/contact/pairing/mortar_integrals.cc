@@ -259,8 +259,8 @@ namespace stickslip
     average.slave_positions.resize(node.n_stencil_nodes());
     average.slave_motions.resize(node.n_stencil_nodes());
     average.slave_gap_offsets.assign(node.n_stencil_nodes(), node.gap_offset);
-    std::map<types::global_dof_index, unsigned int> numbers;
-    std::map<unsigned int, double>                  shares; // of master faces
+    std::map<NodeName, unsigned int> numbers;
+    std::map<unsigned int, double>   shares; // of master faces
     for (const auto &around : node.faces)
       {
         const MortarFace<dim>    &slave    = faces[around.face];
@@ -290,11 +290,10 @@ namespace stickslip
                 const double M = integral.M[i](around.multiplier, k);
                 shares[m] += M;
                 const auto [position, is_new] =
-                  numbers.emplace(master.dofs[k * dim], numbers.size());
+                  numbers.emplace(master.name(k), numbers.size());
                 if (is_new)
                   {
-                    for (unsigned int c = 0; c < dim; ++c)
-                      average.master_dofs.push_back(master.dofs[k * dim + c]);
+                    average.masters.append(master, k);
                     const auto &now = patch.configuration(m).positions[k];
                     average.M.push_back(0.);
                     average.master_positions.push_back(now);

@@ -1,9 +1,33 @@
 #include <stickslip/contact/pairing/mortar_nodes.h>
 
+#include <algorithm>
 #include <map>
+#include <utility>
 
 namespace stickslip
 {
+  namespace
+  {
+    /// A slave face at a multiplier node, with the numbers that it has there.
+    struct Corner
+    {
+      unsigned int slave, multiplier, displacement;
+    };
+
+
+
+    /// Who is the first of the faces around a node, the same wherever it or one
+    /// of its images is looked at.
+    template <int dim>
+    std::pair<FaceId, unsigned int>
+    rank_of(const Corner &corner, const std::vector<CollectedFace<dim>> &slaves)
+    {
+      return {slaves[corner.slave].face.id.original(), corner.displacement};
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   collect_mortar_nodes(const FaceShape<dim> &displacement_shape,
@@ -16,20 +40,23 @@ namespace stickslip
                        std::vector<MortarFace<dim>>            &faces,
                        std::vector<MortarNode<dim>>            &nodes)
   {
-    struct Corner
-    {
-      unsigned int slave, multiplier, displacement;
-    };
-    std::map<types::global_dof_index, std::vector<Corner>> corners;
-    std::vector<std::vector<types::global_dof_index>>      keys(slaves.size());
+    std::map<NodeName, std::vector<Corner>>           corners;
+    std::vector<std::vector<types::global_dof_index>> keys(slaves.size());
     for (unsigned int s = 0; s < slaves.size(); ++s)
       for (unsigned int l = 0; l < multiplier_shape.n_nodes(); ++l)
         {
           const unsigned int j =
             displacement_node(displacement_shape, multiplier_shape, l);
           keys[s].push_back(slaves[s].face.dofs[j * dim]);
-          corners[keys[s].back()].push_back({s, l, j});
+          corners[slaves[s].face.name(j)].push_back({s, l, j});
         }
+
+    for (auto &[name, around] : corners)
+      std::stable_sort(around.begin(),
+                       around.end(),
+                       [&](const Corner &a, const Corner &b) {
+                         return rank_of(a, slaves) < rank_of(b, slaves);
+                       });
 
     std::map<unsigned int, unsigned int> face_numbers;
     const auto                           number_of = [&](const unsigned int s) {
@@ -44,8 +71,8 @@ namespace stickslip
       return entry->second;
     };
     const auto make_node = [&](const std::vector<Corner> &around) {
-      MortarNode<dim>                                 node;
-      std::map<types::global_dof_index, unsigned int> stencil;
+      MortarNode<dim>                  node;
+      std::map<NodeName, unsigned int> stencil;
       for (const Corner &corner : around)
         {
           const SurfaceFace<dim> &face = slaves[corner.slave].face;
@@ -55,11 +82,10 @@ namespace stickslip
                                 {}});
           for (unsigned int k = 0; k < face.n_nodes; ++k)
             {
-              const auto first = face.dofs.begin() + k * dim;
               const auto [entry, is_new] =
-                stencil.emplace(*first, stencil.size());
+                stencil.emplace(face.name(k), stencil.size());
               if (is_new)
-                node.dofs.insert(node.dofs.end(), first, first + dim);
+                node.append(face, k);
               node.faces.back().stencil.push_back(entry->second);
             }
         }
@@ -75,9 +101,9 @@ namespace stickslip
           displacement_node(displacement_shape,
                             multiplier_shape,
                             point.geometry.quadrature_index);
-        const auto &around = corners.at(own.dofs[j * dim]);
-        // the first of the faces, which are sorted, carries the point
-        if (!(slaves[around.front().slave].face.id == own.id))
+        const auto &around = corners.at(own.name(j));
+        // the first of the faces carries the point
+        if (rank_of(around.front(), slaves) != std::make_pair(own.id, j))
           continue;
         kept.push_back(point);
         kept.back().geometry.mortar_node = nodes.size();

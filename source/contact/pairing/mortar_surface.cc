@@ -169,11 +169,10 @@ namespace stickslip
           for (unsigned int k = 0; k < around.stencil.size(); ++k)
             positions[around.stencil[k]] =
               faces[around.face].face.reference_positions[k];
-        const auto &own = node.faces.front();
-        node.projection = symmetry_projection(positions,
-                                              node.dofs,
-                                              own.stencil[own.displacement],
-                                              supports);
+        const unsigned int own =
+          node.faces.front().stencil[node.faces.front().displacement];
+        node.projection = symmetry_projection(
+          positions, own, node.dofs[own * dim], node.rotation(own), supports);
         restrict_to_symmetry_planes(displacement_shape, faces, node);
         align_with_symmetry_plane(displacement_shape, faces, node, points[i]);
       }

@@ -173,7 +173,7 @@ namespace stickslip
     {
       std::vector<PrincipalCurvatures<dim>> owned;
       for (const auto &face : faces)
-        if (face.cell->is_locally_owned())
+        if (face.is_owned())
           owned.push_back(principal_curvatures(shape, face.face));
       const auto total = [&](const auto &of_face) {
         double sum = 0.;
@@ -247,12 +247,15 @@ namespace stickslip
     auto faces = collect_faces(mapping, dof_handler, boundary, modulus, true);
     drop_faces_on_axis(cross_section, faces);
     measure_thickness(dof_handler, boundary_of_body, communicator, faces);
+    images.name_nodes(faces);
     if (has_curved_facets)
       find_rises<dim>(
         shape,
         sharpest_turn,
-        [this](const types::global_dof_index first) {
-          return held_directions<dim>(first, supports);
+        [this](const SurfaceFace<dim> &face, const unsigned int j) {
+          return held_directions<dim>(face.dofs[j * dim],
+                                      face.rotation(j),
+                                      supports);
         },
         communicator,
         faces);

@@ -16,7 +16,7 @@ namespace stickslip
 
 
     /// An edge between neighbouring nodes of master faces.
-    using Edge = std::pair<types::global_dof_index, types::global_dof_index>;
+    using Edge = std::pair<NodeName, NodeName>;
 
 
 
@@ -29,9 +29,9 @@ namespace stickslip
       std::vector<Edge> edges;
       for (unsigned int i = 0; i < corners.size(); ++i)
         {
-          const auto a = face.dofs[corners[i] * dim];
-          const auto b =
-            dim == 2 ? a : face.dofs[corners[(i + 1) % corners.size()] * dim];
+          const NodeName a = face.name(corners[i]);
+          const NodeName b =
+            dim == 2 ? a : face.name(corners[(i + 1) % corners.size()]);
           edges.emplace_back(std::min(a, b), std::max(a, b));
         }
       return edges;
@@ -182,8 +182,9 @@ namespace stickslip
   {
     std::vector<OppositeFaces> opposite;
     for (const auto &candidate : look_from(slave, rule, patch).candidates)
-      opposite.push_back(
-        {slave.face.id, patch.face(candidate.master).id, candidate.distance});
+      opposite.push_back({slave.face.id.original(),
+                          patch.face(candidate.master).id.original(),
+                          candidate.distance});
     return opposite;
   }
 

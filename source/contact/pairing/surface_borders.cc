@@ -63,7 +63,7 @@ namespace stickslip
     {
       const auto             &own  = node.faces[border.around];
       const SurfaceFace<dim> &face = faces[own.face].face;
-      const auto              key  = face.dofs[border.neighbour * dim];
+      const auto              key  = face.name(border.neighbour);
       const Tensor<1, dim>    x    = face.reference_positions[own.displacement];
       const Tensor<1, dim>    out  = direction_out(shape,
                                                face,
@@ -75,7 +75,7 @@ namespace stickslip
           {
             const SurfaceFace<dim> &other = faces[node.faces[b].face].face;
             for (unsigned int k = 0; k < other.n_nodes; ++k)
-              if (other.dofs[k * dim] == key)
+              if (other.name(k) == key)
                 return true;
             const Tensor<1, dim> there =
               centre_of(shape, other.undeformed_nodes()) - x;

@@ -54,12 +54,14 @@ namespace stickslip
   template <int dim>
   std::vector<Tensor<1, dim>>
   held_directions(const types::global_dof_index first,
+                  const Tensor<2, dim>         &rotation,
                   const Constraints            &supports)
   {
     std::vector<Tensor<1, dim>> directions;
     for (unsigned int c = 0; c < dim; ++c)
       if (supports.is_constrained(first + c))
-        directions.push_back(held_direction<dim>(first, c, supports));
+        directions.push_back(rotation *
+                             held_direction<dim>(first, c, supports));
     if (directions.size() == dim)
       directions.clear();
     return directions;
@@ -69,13 +71,14 @@ namespace stickslip
 
   template <int dim>
   Tensor<2, dim>
-  symmetry_projection(const std::vector<Point<dim>>              &positions,
-                      const std::vector<types::global_dof_index> &dofs,
-                      const unsigned int                          own,
-                      const Constraints                          &supports)
+  symmetry_projection(const std::vector<Point<dim>> &positions,
+                      const unsigned int             own,
+                      const types::global_dof_index  first,
+                      const Tensor<2, dim>          &rotation,
+                      const Constraints             &supports)
   {
     Tensor<2, dim> projection = unit_symmetric_tensor<dim>();
-    for (Tensor<1, dim> n : held_directions<dim>(dofs[own * dim], supports))
+    for (Tensor<1, dim> n : held_directions<dim>(first, rotation, supports))
       {
         if (!are_on_one_side(positions, positions[own], n))
           continue;
@@ -86,18 +89,17 @@ namespace stickslip
     return projection;
   }
 
-  template std::vector<Tensor<1, 2>>
-  held_directions(const types::global_dof_index, const Constraints &);
-  template std::vector<Tensor<1, 3>>
-  held_directions(const types::global_dof_index, const Constraints &);
-  template Tensor<2, 2>
-  symmetry_projection(const std::vector<Point<2>> &,
-                      const std::vector<types::global_dof_index> &,
-                      const unsigned int,
-                      const Constraints &);
-  template Tensor<2, 3>
-  symmetry_projection(const std::vector<Point<3>> &,
-                      const std::vector<types::global_dof_index> &,
-                      const unsigned int,
-                      const Constraints &);
+#define INSTANTIATE(dim)                                                       \
+  template std::vector<Tensor<1, dim>> held_directions(                        \
+    const types::global_dof_index,                                             \
+    const Tensor<2, dim> &,                                                    \
+    const Constraints &);                                                      \
+  template Tensor<2, dim> symmetry_projection(const std::vector<Point<dim>> &, \
+                                              const unsigned int,              \
+                                              const types::global_dof_index,   \
+                                              const Tensor<2, dim> &,          \
+                                              const Constraints &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace stickslip

@@ -38,11 +38,11 @@ namespace stickslip
     /// Averaged reference normals of the slave nodes: they carry the frames of
     /// the nodal Lambda, so all ranks must agree on them.
     template <int dim>
-    std::map<types::global_dof_index, Tensor<1, dim>>
+    std::map<NodeName, Tensor<1, dim>>
     average_reference_normals(const std::vector<CollectedFace<dim>> &faces,
                               const FaceShape<dim> &displacement_shape)
     {
-      std::map<types::global_dof_index, Tensor<1, dim>> nodal_normals;
+      std::map<NodeName, Tensor<1, dim>> nodal_normals;
       for (const auto &entry : faces)
         for (unsigned int j = 0; j < entry.face.n_nodes; ++j)
           {
@@ -53,7 +53,7 @@ namespace stickslip
                                     nodes);
             const Tensor<1, dim> v =
               -entry.face.orientation * surface_normal<dim>(a);
-            nodal_normals[entry.face.dofs[j * dim]] += v / v.norm();
+            nodal_normals[entry.face.name(j)] += v / v.norm();
           }
       for (auto &[key, normal] : nodal_normals)
         normal /= normal.norm();
@@ -105,12 +105,12 @@ namespace stickslip
     template <int dim>
     void
     set_reference_frames(
-      ContactPoint<dim>                     &point,
-      const SurfaceFace<dim>                &face,
-      const FaceShape<dim>                  &displacement_shape,
-      const FaceShape<dim>                  &multiplier_shape,
-      const std::vector<Tensor<1, dim - 1>> &gradient,
-      const std::map<types::global_dof_index, Tensor<1, dim>> &nodal_normals)
+      ContactPoint<dim>                        &point,
+      const SurfaceFace<dim>                   &face,
+      const FaceShape<dim>                     &displacement_shape,
+      const FaceShape<dim>                     &multiplier_shape,
+      const std::vector<Tensor<1, dim - 1>>    &gradient,
+      const std::map<NodeName, Tensor<1, dim>> &nodal_normals)
     {
       const unsigned int n_multipliers = multiplier_shape.n_nodes();
       point.geometry.direction_gradients.assign(face.n_nodes, 0.);
@@ -136,8 +136,10 @@ namespace stickslip
             {
               const unsigned int j =
                 displacement_node(displacement_shape, multiplier_shape, l);
-              const Tensor<1, 3> N_l = nodal_normals.at(face.dofs[j * dim]);
-              const Tensor<1, 3> T_1 = reference_tangent(N_l);
+              const Tensor<1, 3> N_l = nodal_normals.at(face.name(j));
+              // of images: as at the node itself
+              const Tensor<2, 3> R   = face.rotation(j);
+              const Tensor<1, 3> T_1 = R * reference_tangent(N_l * R);
               const Tensor<1, 3> T_2 = cross_product_3d(N_l, T_1);
               const Tensor<1, 3> t_1 = turn(T_1, N_l, N);
               const Tensor<1, 3> t_2 = turn(T_2, N_l, N);

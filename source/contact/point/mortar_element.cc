@@ -222,7 +222,7 @@ namespace stickslip
   unsigned int
   MortarElement<dim>::n_displacements() const
   {
-    return node.dofs.size() + (average.paired ? average.master_dofs.size() : 0);
+    return node.dofs.size() + average.masters.dofs.size();
   }
 
 

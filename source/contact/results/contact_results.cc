@@ -70,6 +70,7 @@ namespace stickslip
           if (!pair.parameters.is_tied()) // what is left is roundoff
             result.slip = state.kinematics.d_t;
         }
+      result.image = pair.image_of_master(point);
       return result;
     }
   } // namespace

@@ -32,6 +32,21 @@ namespace stickslip
         for (unsigned int c = 0; c < vector->dimension; ++c)
           visit((*vector)[c]);
     }
+
+
+
+    /// Turns the vectors among them.
+    template <int dim>
+    void
+    turn(const Tensor<2, dim> &R, ContactPointResult<dim> &point)
+    {
+      for (auto *vector : {&point.Lambda,
+                           &point.normal,
+                           &point.tangential_traction,
+                           &point.slip,
+                           &point.accumulated_slip})
+        *vector = R * *vector;
+    }
   } // namespace
 
 
@@ -56,8 +71,11 @@ namespace stickslip
     std::set<types::global_dof_index> own_dofs;
     for (const auto &point : pair.points)
       {
-        const unsigned int  f      = point.geometry.slave_face;
-        auto                result = faces[f].points[n_seen[f]++];
+        const unsigned int f      = point.geometry.slave_face;
+        auto               result = faces[f].points[n_seen[f]++];
+        turn(transpose(pair.rotation_at_multiplier(
+               pair.slave_faces[f].face, point.geometry.quadrature_index)),
+             result); // as at the node itself
         std::vector<double> values = {
           1., static_cast<double>(static_cast<unsigned int>(result.state))};
         for_each_number(result,
@@ -132,6 +150,8 @@ namespace stickslip
             static_cast<unsigned int>(numbers[1](nearest->first)));
           unsigned int k = 2;
           for_each_number(result, [&](double &value) { value = sum(k++); });
+          turn(pair.rotation_at_multiplier(pair.slave_faces[f].face, l),
+               result);
           std::vector<double> L;
           for (unsigned int j = 0; j < pair.displacement_shape.n_nodes(); ++j)
             {

@@ -48,6 +48,7 @@ namespace stickslip
                        const std::set<types::boundary_id>    &boundary,
                        const std::string                     &points_text,
                        const std::string                     &points_path,
+                       const PeriodicImages<dim>             &images,
                        const hp::MappingCollection<dim>      &mapping,
                        const DoFHandler<dim>                 &dof_handler,
                        const MPI_Comm                        &communicator)
@@ -57,7 +58,7 @@ namespace stickslip
     for (const auto &entry :
          collect_faces<dim>(mapping, dof_handler, boundary, no_modulus, true))
       for (unsigned int j = 0; j < entry.face.n_nodes; ++j)
-        excluded.insert(entry.face.dofs[j * dim]);
+        excluded.insert(images.original(entry.face.dofs[j * dim]));
 
     const auto points = parse_points<dim>(points_text, points_path);
     for (const Point<dim> &point : points)
@@ -86,6 +87,7 @@ namespace stickslip
     const std::set<types::boundary_id> &,                          \
     const std::string &,                                           \
     const std::string &,                                           \
+    const PeriodicImages<dim> &,                                   \
     const hp::MappingCollection<dim> &,                            \
     const DoFHandler<dim> &,                                       \
     const MPI_Comm &);

@@ -101,17 +101,21 @@ namespace stickslip
       };
       std::map<unsigned int, std::vector<FaceId>> questions;
       for (const auto &face : faces)
-        if (!face.cell->is_locally_owned())
-          questions[face.face.owner].push_back(face.face.id);
+        if (!face.is_owned())
+          questions[face.face.owner].push_back(face.face.id.original());
       std::map<unsigned int, std::vector<Value>> answers;
       for (const auto &[rank, ids] :
            Utilities::MPI::some_to_some(communicator, questions))
         for (const FaceId &id : ids)
           answers[rank].push_back(values[number_of(id)]);
+      std::map<FaceId, Value> known;
       for (const auto &[rank, of_rank] :
            Utilities::MPI::some_to_some(communicator, answers))
         for (unsigned int i = 0; i < of_rank.size(); ++i)
-          values[number_of(questions.at(rank)[i])] = of_rank[i];
+          known[questions.at(rank)[i]] = of_rank[i];
+      for (unsigned int f = 0; f < faces.size(); ++f)
+        if (!faces[f].is_owned())
+          values[f] = known.at(faces[f].face.id.original());
     }
 
 
@@ -316,7 +320,7 @@ namespace stickslip
   {
     double inside = 0., all = 0.;
     for (const auto &face : faces)
-      if (face.cell->is_locally_owned())
+      if (face.is_owned())
         for (const double rise : face.face.rise)
           {
             inside += std::max(0., -rise);

@@ -71,7 +71,7 @@ namespace stickslip
         node_keys.emplace_back();
         for (unsigned int k = 0; k < vertices.size(); ++k)
           {
-            node_keys[f].push_back(face.dofs[vertices[k] * dim]);
+            node_keys[f].push_back(face.name(vertices[k]));
             around[node_keys[f][k]].push_back({f, k});
           }
         edge_keys.emplace_back();
@@ -87,17 +87,20 @@ namespace stickslip
       }
     if (dim == 3 && !shape.is_triangle())
       find_edges_between_levels();
-    find_planes(held_directions);
+    find_planes(held_directions, faces);
   }
 
 
 
   template <int dim>
   void
-  FacetedSurface<dim>::find_planes(const HeldDirections<dim> &held_directions)
+  FacetedSurface<dim>::find_planes(const HeldDirections<dim> &held_directions,
+                                   const std::vector<CollectedFace<dim>> &faces)
   {
     for (const auto &[key, facets] : around)
-      for (const Tensor<1, dim> &N : held_directions(key))
+      for (const Tensor<1, dim> &N :
+           held_directions(faces[facets.front().face].face,
+                           vertices[facets.front().node]))
         {
           double low = 0., high = 0., size = 0.;
           for (const auto &[g, k] : facets)
@@ -116,7 +119,7 @@ namespace stickslip
 
   template <int dim>
   const std::vector<Tensor<1, dim>> &
-  FacetedSurface<dim>::planes_at(const types::global_dof_index key) const
+  FacetedSurface<dim>::planes_at(const NodeName &key) const
   {
     static const std::vector<Tensor<1, dim>> nothing;
     const auto                               position = planes.find(key);
@@ -152,8 +155,8 @@ namespace stickslip
   void
   FacetedSurface<dim>::find_edges_between_levels()
   {
-    std::map<types::global_dof_index, Tensor<1, dim>>   positions;
-    std::map<types::global_dof_index, std::vector<Key>> borders;
+    std::map<NodeName, Tensor<1, dim>>   positions;
+    std::map<NodeName, std::vector<Key>> borders;
     for (unsigned int f = 0; f < nodes.size(); ++f)
       for (unsigned int e = 0; e < n_edges(); ++e)
         if (edges.at(edge_keys[f][e]).size() == 1)

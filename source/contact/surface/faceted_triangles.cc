@@ -101,8 +101,8 @@ namespace stickslip
   std::vector<Tensor<1, dim>>
   FacetedTriangles<dim>::vertices_around(const unsigned int f) const
   {
-    std::map<types::global_dof_index, Tensor<1, dim>> ring;
-    std::vector<Tensor<1, dim>>                       vertices_there;
+    std::map<NodeName, Tensor<1, dim>> ring;
+    std::vector<Tensor<1, dim>>        vertices_there;
     for (unsigned int j = 0; j < 3; ++j)
       for (const auto &[g, k] : this->around.at(this->node_keys[f][j]))
         {
@@ -120,7 +120,7 @@ namespace stickslip
                                            mirrored(edge, N));
               }
         }
-    for (const auto key : this->node_keys[f])
+    for (const auto &key : this->node_keys[f])
       ring.erase(key);
     for (const auto &vertex : ring)
       vertices_there.push_back(vertex.second);

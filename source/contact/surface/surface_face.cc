@@ -296,13 +296,12 @@ namespace stickslip
     for (unsigned int j = 0; j < n_nodes; ++j)
       shape.evaluate(shape.node(j), at_node[j]);
 
-    // who meets at a node (named by its first displacement dof)
-    std::map<types::global_dof_index,
-             std::vector<std::pair<unsigned int, unsigned int>>>
+    // who meets at a node
+    std::map<NodeName, std::vector<std::pair<unsigned int, unsigned int>>>
       faces_at_node;
     for (unsigned int f = 0; f < faces.size(); ++f)
       for (unsigned int j = 0; j < n_nodes; ++j)
-        faces_at_node[faces[f].face.dofs[j * dim]].emplace_back(f, j);
+        faces_at_node[faces[f].face.name(j)].emplace_back(f, j);
 
     const auto normal_at = [&](const unsigned int f, const unsigned int j) {
       const Tensor<1, dim> v =
@@ -316,14 +315,14 @@ namespace stickslip
     for (unsigned int f = 0; f < faces.size(); ++f)
       {
         SurfaceFace<dim> face = faces[f].face;
-        if (faces[f].cell->is_locally_owned())
+        if (faces[f].is_owned())
           {
-            std::map<types::global_dof_index, unsigned int> stencil;
+            std::map<NodeName, unsigned int> stencil;
             for (unsigned int j = 0; j < n_nodes; ++j)
-              stencil[face.dofs[j * dim]] = j;
+              stencil[face.name(j)] = j;
             face.nodal_normals.resize(n_nodes);
             for (unsigned int j = 0; j < n_nodes; ++j)
-              for (const auto &[g, k] : faces_at_node[face.dofs[j * dim]])
+              for (const auto &[g, k] : faces_at_node[faces[f].face.name(j)])
                 {
                   if (normal_at(f, j) * normal_at(g, k) < std::cos(angle))
                     continue;
@@ -337,14 +336,13 @@ namespace stickslip
                       if (gradient.norm() < 1e-14)
                         continue;
                       const auto [entry, is_new] =
-                        stencil.emplace(neighbour.dofs[l * dim],
-                                        face.reference_positions.size());
+                        stencil.emplace(neighbour.name(l),
+                                        face.n_stencil_nodes());
                       if (is_new)
                         {
+                          face.append(neighbour, l);
                           face.reference_positions.push_back(
                             neighbour.reference_positions[l]);
-                          for (unsigned int c = 0; c < dim; ++c)
-                            face.dofs.push_back(neighbour.dofs[l * dim + c]);
                         }
                       contribution.nodes.push_back(entry->second);
                       contribution.gradients.push_back(gradient);
@@ -356,7 +354,7 @@ namespace stickslip
       }
     std::vector<CollectedFace<dim>> owned;
     for (unsigned int f = 0; f < faces.size(); ++f)
-      if (faces[f].cell->is_locally_owned())
+      if (faces[f].is_owned())
         owned.push_back({extended[f], faces[f].cell, faces[f].face_no});
     faces = owned;
   }

@@ -80,12 +80,6 @@ namespace stickslip
                 LA::BlockSparseMatrix &matrix,
                 LA::BlockVector       &rhs);
 
-    /// Global dofs of a point: slave nodes, master stencil, multipliers. A
-    /// mortar node has only its own multipliers.
-    std::vector<types::global_dof_index>
-    point_dofs(const ContactPair<dim>  &pair,
-               const ContactPoint<dim> &point) const;
-
     /// Adds the step's slip to the points' history and keeps the pairing.
     void
     accept_step();

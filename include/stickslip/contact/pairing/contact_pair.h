@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -34,8 +35,9 @@ namespace stickslip
     CrossSection                      cross_section  = {};
     /// Of which bodies these are the cells: faces have their own shape on each
     /// side.
-    ReferenceCell slave_cells  = ReferenceCell();
-    ReferenceCell master_cells = ReferenceCell();
+    ReferenceCell slave_cells   = ReferenceCell();
+    ReferenceCell master_cells  = ReferenceCell();
+    unsigned int  master_number = 0; ///< of the body
 
     /// True if the pair is a surface that meets itself.
     bool
@@ -82,7 +84,8 @@ namespace stickslip
     /**
      * @p supports (closed) are what holds nodes for good, @p modulus is the
      * longitudinal modulus of a cell by material id (infinity: rigid), @p tool
-     * the master if it is a rigid tool. Throws UserError (same on all ranks).
+     * the master if it is a rigid tool, @p images what periodic boundaries
+     * repeat. Throws UserError (same on all ranks).
      * Collective.
      */
     ContactPair(const std::string                &name,
@@ -93,6 +96,7 @@ namespace stickslip
                 const Constraints                &supports,
                 const std::function<double(const types::material_id)> &modulus,
                 const ToolMaster<dim>                                 &tool,
+                const std::shared_ptr<const PeriodicImages<dim>>      &images,
                 const MPI_Comm &communicator);
 
     /// 1 (without tangential traction) or dim.
@@ -113,11 +117,37 @@ namespace stickslip
     std::vector<types::global_dof_index>
     multiplier_keys() const;
 
+    /// What brings the master to the image of it that @p point meets, most of
+    /// all; nothing if it meets the master itself or nothing.
+    std::optional<PeriodicMotion>
+    image_of_master(const ContactPoint<dim> &point) const
+    {
+      if (!point.pairing.paired)
+        return {};
+      return patch->motion_to(point.pairing.face);
+    }
+
+    /// Of multiplier node @p l of a slave face (StencilNodes::rotation()).
+    Tensor<2, dim>
+    rotation_at_multiplier(const SurfaceFace<dim> &face,
+                           const unsigned int      l) const
+    {
+      return face.rotation(
+        displacement_node(displacement_shape, multiplier_shape, l));
+    }
+
     /// Nodes without contact, among the locally relevant ones.
     const std::set<types::global_dof_index> &
     excluded_keys() const
     {
       return excluded;
+    }
+
+    /// Displacements of nodes that this rank sees images of.
+    const std::set<types::global_dof_index> &
+    periodic_originals() const
+    {
+      return images->original_dofs();
     }
 
     /// Multiplier nodes that follow others.
@@ -219,7 +249,12 @@ namespace stickslip
 
     /// The slave area that the traction at a point acts on, undeformed.
     double
-    area_of(const ContactPoint<dim> &point) const;
+    area_of(const ContactPoint<dim> &point) const
+    {
+      return point.pairing.paired && mortar
+               ? mortar->average(point.geometry.mortar_node).area
+               : point.geometry.weight;
+    }
 
     /// Current over reference area of the slave surface at a point.
     double
@@ -269,11 +304,12 @@ namespace stickslip
     std::vector<const SurfaceFace<dim> *>
     searching_faces() const;
 
-    GapOffsets<dim>                   gap_offsets;
-    MPI_Comm                          communicator;
-    std::set<types::global_dof_index> excluded;
-    HangingNodes                      hanging;
-    SlaveConfiguration<dim>           slave_configuration;
+    std::shared_ptr<const PeriodicImages<dim>> images;
+    GapOffsets<dim>                            gap_offsets;
+    MPI_Comm                                   communicator;
+    std::set<types::global_dof_index>          excluded;
+    HangingNodes                               hanging;
+    SlaveConfiguration<dim>                    slave_configuration;
     MovedNodes<dim> slave_nodes;  ///< since the patch was fetched
     MovedNodes<dim> master_nodes; ///< likewise
     double          margin = 0.;

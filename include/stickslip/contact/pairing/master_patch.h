@@ -3,6 +3,7 @@
 
 #include <stickslip/contact/point/pairing_hysteresis.h>
 #include <stickslip/contact/surface/normal_projection.h>
+#include <stickslip/contact/surface/periodic_images.h>
 #include <stickslip/contact/surface/rigid_tool.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -11,6 +12,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -40,6 +42,16 @@ namespace stickslip
 
 
 
+  /// The images of a master surface that count as parts of it, without itself.
+  template <int dim>
+  struct MasterImages
+  {
+    std::shared_ptr<const PeriodicImages<dim>> all;
+    std::vector<unsigned int>                  numbers;
+  };
+
+
+
   /**
    * The master faces that the slave points of this rank may meet, copied from
    * the ranks that own them: a rank holds no more of the master surface than
@@ -58,7 +70,8 @@ namespace stickslip
                 const FaceShape<dim>                 &shape,
                 const PairingTolerances              &tolerances,
                 const MPI_Comm                       &communicator,
-                std::shared_ptr<const RigidTool<dim>> tool = {});
+                std::shared_ptr<const RigidTool<dim>> tool   = {},
+                MasterImages<dim>                     images = {});
 
     /**
      * Collects the faces within search distance plus @p margin of the
@@ -132,6 +145,17 @@ namespace stickslip
       return faces[f];
     }
 
+    /// What brings the master to the image of it that a face is on; nothing if
+    /// that is the master itself.
+    std::optional<PeriodicMotion>
+    motion_to(const unsigned int f) const
+    {
+      const unsigned int image = faces[f].id.image;
+      if (image == 0)
+        return {};
+      return images.all->motion(image);
+    }
+
     const MasterConfiguration<dim> &
     configuration(const unsigned int f) const
     {
@@ -203,24 +227,27 @@ namespace stickslip
     };
 
     std::vector<SurfaceFace<dim>> owned;
-    /// Numbers of the owned faces that a rank holds, sorted.
-    std::map<unsigned int, std::vector<unsigned int>> held_by;
-    std::vector<SurfaceFace<dim>>                     faces;
-    std::vector<MasterConfiguration<dim>>             current;
-    std::vector<MasterConfiguration<dim>>             old;
-    RTree<Box>                                        tree;
-    const FaceShape<dim>                              shape;
-    MPI_Comm                                          communicator;
-    std::shared_ptr<const RigidTool<dim>>             rigid_tool;
+    const MasterImages<dim>       images;
+    /// An owned face, and which image of it.
+    using OwnedImage = std::pair<unsigned int, unsigned int>;
+    /// What a rank holds, sorted.
+    std::map<unsigned int, std::vector<OwnedImage>> held_by;
+    std::vector<SurfaceFace<dim>>                   faces;
+    std::vector<MasterConfiguration<dim>>           current;
+    std::vector<MasterConfiguration<dim>>           old;
+    RTree<Box>                                      tree;
+    const FaceShape<dim>                            shape;
+    MPI_Comm                                        communicator;
+    std::shared_ptr<const RigidTool<dim>>           rigid_tool;
     double thickness_of_thinnest = 0.; ///< of the faces [length]
     double largest_motion        = 0.; ///< of a node in this step [length]
 
     RTree<Box>
     tree_of_owned_faces(const LA::Vector &u) const;
 
-    std::vector<unsigned int>
-    owned_faces_in(const std::vector<BoundingBox<dim>> &boxes,
-                   const RTree<Box>                    &tree_of_owned) const;
+    std::vector<OwnedImage>
+    owned_images_in(const std::vector<BoundingBox<dim>> &boxes,
+                    const RTree<Box>                    &tree_of_owned) const;
 
     void
     apply(const Changes &changes);

@@ -26,11 +26,13 @@ namespace stickslip
     /// Longitudinal modulus of a cell by material id; infinity: rigid.
     const std::function<double(const types::material_id)> &modulus;
     const CrossSection                                    &cross_section;
+    const PeriodicImages<dim>                             &images;
     bool has_curved_facets = false; ///< they stand for a smooth surface
 
     /**
      * The faces with the ids @p boundary of the body with the ids
-     * @p boundary_of_body, ghosts included, sorted; their shape is @p shape.
+     * @p boundary_of_body, ghosts and the images around periodic nodes
+     * included, sorted; their shape is @p shape.
      * With thickness and rise, without nodal normals. Collective.
      */
     std::vector<CollectedFace<dim>>

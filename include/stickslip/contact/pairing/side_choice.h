@@ -31,7 +31,7 @@ namespace stickslip
   SidedFace
   sided(const SurfaceFace<dim> &face, const Side side)
   {
-    SidedFace result{face.id, {}, face.diameter, false, false, side};
+    SidedFace result{face.id.original(), {}, face.diameter, false, false, side};
     for (unsigned int k = 0; k < face.n_nodes; ++k)
       result.nodes.push_back(face.dofs[k * dim]);
     return result;

@@ -19,7 +19,7 @@ namespace stickslip
     Side
     side_of(const FaceId &face) const
     {
-      const auto found = sides.find(face);
+      const auto found = sides.find(face.original());
       return found == sides.end() ? Side::neither : found->second;
     }
 

@@ -13,10 +13,11 @@ namespace stickslip
   using namespace dealii;
 
   /// The unit vectors along which @p supports (closed) hold the node that begins
-  /// with dof @p first; none if it cannot move at all.
+  /// with dof @p first, turned by @p rotation; none if it cannot move at all.
   template <int dim>
   std::vector<Tensor<1, dim>>
   held_directions(const types::global_dof_index first,
+                  const Tensor<2, dim>         &rotation,
                   const Constraints            &supports);
 
   /**
@@ -25,15 +26,17 @@ namespace stickslip
    * if the facets around it are all on one side of it. A node that cannot move
    * at all tells nothing: the identity.
    *
-   * @p positions: undeformed, of the nodes of these facets; @p dofs: their
-   * displacements, [node * dim + c]; the node is number @p own among them.
+   * @p positions: undeformed, of the nodes of these facets; the node is number
+   * @p own among them, moves with the displacements from @p first on, turned by
+   * @p rotation.
    */
   template <int dim>
   Tensor<2, dim>
-  symmetry_projection(const std::vector<Point<dim>>              &positions,
-                      const std::vector<types::global_dof_index> &dofs,
-                      const unsigned int                          own,
-                      const Constraints                          &supports);
+  symmetry_projection(const std::vector<Point<dim>> &positions,
+                      const unsigned int             own,
+                      const types::global_dof_index  first,
+                      const Tensor<2, dim>          &rotation,
+                      const Constraints             &supports);
 } // namespace stickslip
 
 #endif

@@ -20,7 +20,7 @@ namespace stickslip
    * configuration.
    */
   template <int dim>
-  struct MortarNode
+  struct MortarNode : StencilNodes<dim>
   {
     /// One of the slave faces around the node.
     struct Around
@@ -55,8 +55,7 @@ namespace stickslip
       unsigned int neighbour = 0; ///< among the displacement nodes of the face
     };
 
-    std::vector<Around>                  faces;
-    std::vector<types::global_dof_index> dofs; ///< [stencil node * dim + c]
+    std::vector<Around> faces;
     /// Derivative along the direction E that carries the tangent basis (3D), a
     /// direction of the face @p direction_around, per node of the stencil.
     std::vector<double> direction;
@@ -78,7 +77,7 @@ namespace stickslip
     unsigned int
     n_stencil_nodes() const
     {
-      return dofs.size() / dim;
+      return this->n_nodes_of_dofs();
     }
   };
 
@@ -117,14 +116,14 @@ namespace stickslip
   {
     double area   = 0.; ///< integral of psi_j; small: the node is not paired
     bool   paired = false;
-    std::vector<double>                  D; ///< per node of the stencil
-    std::vector<double>                  M; ///< per master node
-    std::vector<types::global_dof_index> master_dofs;      ///< [node * dim + c]
-    std::vector<Tensor<1, dim>>          master_positions; ///< now
-    std::vector<Tensor<1, dim>>          master_motions;   ///< in this step
-    std::vector<Tensor<1, dim>>          slave_positions;  ///< of the stencil
-    std::vector<Tensor<1, dim>>          slave_motions;
-    std::vector<double>                  slave_gap_offsets;
+    std::vector<double>         D; ///< per node of the stencil
+    std::vector<double>         M; ///< per master node
+    StencilNodes<dim>           masters;
+    std::vector<Tensor<1, dim>> master_positions; ///< now
+    std::vector<Tensor<1, dim>> master_motions;   ///< in this step
+    std::vector<Tensor<1, dim>> slave_positions;  ///< of the stencil
+    std::vector<Tensor<1, dim>> slave_motions;
+    std::vector<double>         slave_gap_offsets;
 
     Tensor<1, dim> r;                ///< averaged x_s - x_m
     Tensor<1, dim> w;                ///< averaged motion of the step, s - m

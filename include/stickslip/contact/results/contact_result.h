@@ -5,11 +5,14 @@
 
 #include <stickslip/contact/point/contact_state.h>
 
+#include <stickslip/mesh/periodicity.h>
+
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
 #include <deal.II/grid/reference_cell.h>
 
+#include <optional>
 #include <vector>
 
 namespace stickslip
@@ -37,6 +40,8 @@ namespace stickslip
     Tensor<1, dim> tangential_traction; ///< on the slave, nominal
     Tensor<1, dim> slip; ///< slip of the last step, slave minus master
     Tensor<1, dim> accumulated_slip; ///< sum of the steps' slip vectors
+    /// What brings the master to the image of it that this point meets.
+    std::optional<PeriodicMotion> image = {};
   };
 
   /// One locally owned slave face: nodal fields and its contact points.

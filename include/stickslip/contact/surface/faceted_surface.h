@@ -24,10 +24,11 @@ namespace stickslip
     return v - 2. * (v * N) * N;
   }
 
-  /// The unit vectors along which a node, named by its first dof, is held.
+  /// The unit vectors along which a node of a face is held.
   template <int dim>
   using HeldDirections =
-    std::function<std::vector<Tensor<1, dim>>(types::global_dof_index)>;
+    std::function<std::vector<Tensor<1, dim>>(const SurfaceFace<dim> &,
+                                              const unsigned int)>;
 
   /**
    * The facets of a surface where nothing is deformed (the faces between their
@@ -44,7 +45,7 @@ namespace stickslip
   public:
     /// Edges at which facets meet at more than @p sharpest_turn [radian] are
     /// sharp: there is nothing beside them. @p face_shape is that of the faces,
-    /// @p held_directions those that a node (its first dof) cannot move in,
+    /// @p held_directions those that a node of a face cannot move in,
     /// unless it cannot move at all: where the surface ends there, the mirror
     /// image is beside it.
     FacetedSurface(const FaceShape<dim>                  &face_shape,
@@ -97,7 +98,7 @@ namespace stickslip
     /// Nodes nearer to a plane, over the size of the facets, lie in it.
     static constexpr double in_plane = 1e-6;
 
-    using Key = std::vector<types::global_dof_index>; ///< nodes of an edge
+    using Key = std::vector<NodeName>; ///< nodes of an edge
 
     /// Of a facet: one of its nodes.
     struct Corner
@@ -116,20 +117,21 @@ namespace stickslip
     std::vector<Key>                         node_keys; ///< per face
     std::vector<std::vector<Key>>            edge_keys; ///< per face
     std::map<Key, std::vector<Beside>>       edges;
-    std::map<types::global_dof_index, std::vector<Corner>> around;
-    std::set<Key>                                          between_levels;
+    std::map<NodeName, std::vector<Corner>>  around;
+    std::set<Key>                            between_levels;
     /// Normals of the symmetry planes at the nodes where the surface ends.
-    std::map<types::global_dof_index, std::vector<Tensor<1, dim>>> planes;
+    std::map<NodeName, std::vector<Tensor<1, dim>>> planes;
 
     void
     find_edges_between_levels();
 
     void
-    find_planes(const HeldDirections<dim> &held_directions);
+    find_planes(const HeldDirections<dim>             &held_directions,
+                const std::vector<CollectedFace<dim>> &faces);
 
     /// Of those at node @p key; nothing if there is none.
     const std::vector<Tensor<1, dim>> &
-    planes_at(const types::global_dof_index key) const;
+    planes_at(const NodeName &key) const;
 
     /// The normal of the plane that edge @p e of facet @p f ends at.
     std::optional<Tensor<1, dim>>

@@ -4,6 +4,7 @@
 #include <stickslip/base/types.h>
 
 #include <stickslip/contact/surface/face_shape.h>
+#include <stickslip/contact/surface/stencil_nodes.h>
 
 #include <stickslip/mesh/cross_section.h>
 
@@ -18,6 +19,7 @@
 #include <functional>
 #include <limits>
 #include <set>
+#include <tuple>
 #include <vector>
 
 namespace stickslip
@@ -27,24 +29,33 @@ namespace stickslip
   {
     std::array<unsigned int, 4> cell{};
     unsigned int                face = 0;
+    unsigned int image = 0; ///< PeriodicImages; 0: the face itself
+
+    /// The face that this one is an image of.
+    FaceId
+    original() const
+    {
+      return {cell, face, 0};
+    }
 
     bool
     operator<(const FaceId &other) const
     {
-      return cell != other.cell ? cell < other.cell : face < other.face;
+      return std::tie(cell, face, image) <
+             std::tie(other.cell, other.face, other.image);
     }
 
     bool
     operator==(const FaceId &other) const
     {
-      return cell == other.cell && face == other.face;
+      return cell == other.cell && face == other.face && image == other.image;
     }
 
     template <class Archive>
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &cell &face;
+      archive &cell &face &image;
     }
   };
 
@@ -78,12 +89,11 @@ namespace stickslip
    * depend on.
    */
   template <int dim>
-  struct SurfaceFace
+  struct SurfaceFace : StencilNodes<dim>
   {
-    FaceId                               id;
-    unsigned int                         owner   = 0; ///< rank of its cell
-    unsigned int                         n_nodes = 0;
-    std::vector<types::global_dof_index> dofs;   ///< [stencil node * dim + c]
+    FaceId                  id;
+    unsigned int            owner   = 0; ///< rank of its cell
+    unsigned int            n_nodes = 0;
     std::vector<Point<dim>> reference_positions; ///< of the stencil
     double                  orientation =
       1.; ///< makes orientation * a_1 x a_2 point into the body
@@ -119,8 +129,9 @@ namespace stickslip
     void
     serialize(Archive &archive, const unsigned int)
     {
-      archive &id &owner &n_nodes &dofs &reference_positions &orientation
-        &compliance &diameter &thickness &nodal_normals &rise;
+      StencilNodes<dim>::serialize(archive, 0);
+      archive &id &owner &n_nodes &reference_positions &orientation &compliance
+        &diameter &thickness &nodal_normals &rise;
     }
   };
 
@@ -211,6 +222,13 @@ namespace stickslip
     SurfaceFace<dim>                               face;
     typename DoFHandler<dim>::active_cell_iterator cell;
     unsigned int                                   face_no;
+
+    /// Of a cell of this rank, and no image.
+    bool
+    is_owned() const
+    {
+      return face.id.image == 0 && cell->is_locally_owned();
+    }
   };
 
 
