@@ -2,13 +2,12 @@
 // with one body and with two that a thin spring layer couples, the same on any
 // number of ranks; the product P^T A P against products with vectors.
 
+#include "lattice.h"
 #include "print.h"
 
 #include <stickslip/linear_solvers/multigrid/displacement_multigrid.h>
 #include <stickslip/linear_solvers/multigrid/galerkin_product.h>
 #include <stickslip/linear_solvers/multigrid/read_blocks.h>
-
-#include <stickslip/solid/rigid_body_modes.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -16,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -25,139 +23,6 @@ using namespace stickslip;
 
 namespace
 {
-  /**
-   * A lattice of n x n x 2n nodes at distance 1, with central springs between
-   * neighbours (edges, and diagonals of faces and of the cubes): an elastic
-   * body. All springs across the middle are weaker by @p coupling, and so are
-   * those of the upper half by @p contrast. The lowest layer is held.
-   */
-  class Lattice
-  {
-  public:
-    Lattice(const unsigned int n, const double coupling, const double contrast)
-      : n(n)
-    {
-      const unsigned int n_nodes = 2 * n * n * n;
-      const unsigned int n_ranks =
-                           Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
-                         rank =
-                           Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
-      // ranks of different sizes, so that none ends where the bodies meet
-      const auto first = [&](const unsigned int r) {
-        return n_nodes * r * (r + 1) / (n_ranks * (n_ranks + 1));
-      };
-      const unsigned int begin = first(rank), end = first(rank + 1);
-      owned.set_size(3 * n_nodes);
-      owned.add_range(3 * begin, 3 * end);
-      LA::SparsityPattern pattern(owned, owned, MPI_COMM_WORLD, 81);
-      visit_springs(begin, end, [&](const auto i, const auto j, const auto &) {
-        for (unsigned int c = 0; c < 3; ++c)
-          for (unsigned int d = 0; d < 3; ++d)
-            {
-              pattern.add(3 * i + c, 3 * i + d);
-              pattern.add(3 * i + c, 3 * j + d);
-            }
-      });
-      pattern.compress();
-      matrix.reinit(pattern);
-      visit_springs(
-        begin, end, [&](const auto i, const auto j, const auto &direction) {
-          const bool   upper_i = height(i) >= n, upper_j = height(j) >= n;
-          const double stiffness =
-            upper_i != upper_j ? coupling : (upper_i ? contrast : 1.);
-          add_spring(i, j, stiffness, direction);
-        });
-      matrix.compress(VectorOperation::add);
-
-      description.n_components = 3;
-      auto modes               = std::make_shared<NearNullSpace>();
-      modes->n_vectors         = 6;
-      modes->values.assign(6 * owned.n_elements(), 0.);
-      for (unsigned int i = begin; i < end; ++i)
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            modes->bodies.push_back(body(i));
-            for (unsigned int m = 0; m < 6 && height(i) > 0; ++m)
-              modes->values[m * owned.n_elements() +
-                            owned.index_within_set(3 * i + c)] =
-                rigid_mode<3>(m, position(i) / n)[c];
-          }
-      description.near_null_space = modes;
-    }
-
-    unsigned int
-    height(const unsigned int node) const
-    {
-      return node / (n * n);
-    }
-
-    unsigned int
-    body(const unsigned int node) const
-    {
-      return height(node) >= n ? 1 : 0;
-    }
-
-    const unsigned int     n;
-    IndexSet               owned;
-    LA::SparseMatrix       matrix;
-    BlockSystemDescription description;
-
-  private:
-    Point<3>
-    position(const unsigned int node) const
-    {
-      return Point<3>(node % n, node / n % n, height(node));
-    }
-
-    /// All neighbours of owned nodes.
-    template <typename Visitor>
-    void
-    visit_springs(const unsigned int begin,
-                  const unsigned int end,
-                  const Visitor     &visit) const
-    {
-      for (unsigned int i = begin; i < end; ++i)
-        for (int k = 0; k < 27; ++k)
-          {
-            const int          layer = k / 9, row = k / 3 % 3;
-            const Tensor<1, 3> step =
-              Point<3>(k % 3, row, layer) - Point<3>(1., 1., 1.);
-            const Point<3> neighbour = position(i) + step;
-            if (k != 13 &&
-                std::min({neighbour[0], neighbour[1], neighbour[2]}) >= 0. &&
-                std::max(neighbour[0], neighbour[1]) < n &&
-                neighbour[2] < 2. * n)
-              visit(i,
-                    static_cast<unsigned int>(
-                      neighbour[0] + n * (neighbour[1] + n * neighbour[2])),
-                    step / step.norm());
-          }
-    }
-
-    void
-    add_spring(const unsigned int  i,
-               const unsigned int  j,
-               const double        stiffness,
-               const Tensor<1, 3> &direction)
-    {
-      for (unsigned int c = 0; c < 3; ++c)
-        for (unsigned int d = 0; d < 3; ++d)
-          {
-            const double value = stiffness * direction[c] * direction[d];
-            if (height(i) == 0) // held
-              matrix.add(3 * i + c, 3 * i + d, c == d ? 1. : 0.);
-            else
-              {
-                matrix.add(3 * i + c, 3 * i + d, value);
-                if (height(j) > 0)
-                  matrix.add(3 * i + c, 3 * j + d, -value);
-              }
-          }
-    }
-  };
-
-
-
   unsigned int
   n_cg_iterations(const Lattice &lattice)
   {
@@ -236,16 +101,9 @@ namespace
     BlockMatrix      A(read_square_blocks(lattice.matrix, 3), nodes, nodes);
     const NodeSpace &space = A.column_space();
 
-    Modes       modes;
-    const auto &given = *lattice.description.near_null_space;
-    modes.n_vectors   = given.n_vectors;
-    for (unsigned int i = 0; i < space.n_owned_unknowns(); ++i)
-      for (unsigned int m = 0; m < given.n_vectors; ++m)
-        modes.values.push_back(given.values[m * space.n_owned_unknowns() + i]);
-    for (unsigned int node = 0; node < space.n_owned(); ++node)
-      modes.bodies.push_back(lattice.body(space.global(node)));
-    const auto aggregates = find_aggregates(A, modes.bodies);
-    const auto tentative  = tentative_prolongation(space, aggregates, modes);
+    const Modes modes      = lattice.modes();
+    const auto  aggregates = find_aggregates(A, modes.bodies);
+    const auto  tentative  = tentative_prolongation(space, aggregates, modes);
 
     bool all_are_in = true, is_in_one_body = true;
     for (unsigned int node = 0; node < space.n_owned(); ++node)

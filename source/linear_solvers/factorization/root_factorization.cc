@@ -8,6 +8,11 @@ namespace stickslip
 {
   namespace
   {
+    /// Not one of deal.II's, Trilinos' or MUMPS' messages.
+    constexpr int message_tag = 7105;
+
+
+
     /// Rows rank after rank.
     FactorizationError
     factorise_all(
@@ -53,13 +58,15 @@ namespace stickslip
   {
     communicator        = comm;
     const auto gathered = Utilities::MPI::gather(communicator, rows, 0);
-    n_rows.clear();
-    begins.assign(1, 0);
-    for (const auto &rows_of_rank : gathered)
-      {
-        n_rows.push_back(rows_of_rank.size());
-        begins.push_back(begins.back() + n_rows.back());
-      }
+    parts.clear();
+    int n_rows = 0;
+    for (unsigned int rank = 0; rank < gathered.size(); ++rank)
+      if (const int n = gathered[rank].size(); n > 0)
+        {
+          parts.push_back({rank, n_rows, n});
+          n_rows += n;
+        }
+    all_b.resize(n_rows);
     FactorizationError error;
     if (!gathered.empty())
       error = factorise_all(gathered, factors);
@@ -72,31 +79,62 @@ namespace stickslip
   RootFactorization::solve(std::vector<double>       &x,
                            const std::vector<double> &b) const
   {
-    const bool is_root = !n_rows.empty();
-    if (is_root)
-      all_b.resize(begins.back());
-    int error = MPI_Gatherv(b.data(),
-                            b.size(),
-                            MPI_DOUBLE,
-                            all_b.data(),
-                            n_rows.data(),
-                            begins.data(),
-                            MPI_DOUBLE,
-                            0,
-                            communicator);
-    AssertThrowMPI(error);
-    if (is_root && factors.solve(all_x, all_b))
-      all_x.assign(all_b.size(), std::numeric_limits<double>::quiet_NaN());
     x.resize(b.size());
-    error = MPI_Scatterv(all_x.data(),
-                         n_rows.data(),
-                         begins.data(),
-                         MPI_DOUBLE,
-                         x.data(),
-                         x.size(),
-                         MPI_DOUBLE,
-                         0,
-                         communicator);
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      solve_on_root(x, b);
+    else if (!b.empty())
+      {
+        send(b.data(), b.size(), 0);
+        receive(x.data(), x.size(), 0);
+      }
+  }
+
+
+
+  void
+  RootFactorization::solve_on_root(std::vector<double>       &x,
+                                   const std::vector<double> &b) const
+  {
+    for (const auto &[rank, begin, n] : parts)
+      if (rank == 0)
+        std::copy_n(b.begin(), n, all_b.begin());
+      else
+        receive(all_b.data() + begin, n, rank);
+    if (factors.solve(all_x, all_b))
+      all_x.assign(all_b.size(), std::numeric_limits<double>::quiet_NaN());
+    for (const auto &[rank, begin, n] : parts)
+      if (rank == 0)
+        std::copy_n(all_x.begin(), n, x.begin());
+      else
+        send(all_x.data() + begin, n, rank);
+  }
+
+
+
+  void
+  RootFactorization::send(const double      *values,
+                          const int          n,
+                          const unsigned int rank) const
+  {
+    const int error =
+      MPI_Send(values, n, MPI_DOUBLE, rank, message_tag, communicator);
+    AssertThrowMPI(error);
+  }
+
+
+
+  void
+  RootFactorization::receive(double            *values,
+                             const int          n,
+                             const unsigned int rank) const
+  {
+    const int error = MPI_Recv(values,
+                               n,
+                               MPI_DOUBLE,
+                               rank,
+                               message_tag,
+                               communicator,
+                               MPI_STATUS_IGNORE);
     AssertThrowMPI(error);
   }
 } // namespace stickslip

@@ -57,14 +57,15 @@ namespace stickslip
               communicator);
             prolongation = read_blocks<float>(*description.prolongation, n, n);
           }
-        hierarchy.reinit(
-          BlockMatrix(read_square_blocks(matrix, n, added), nodes, nodes),
-          std::move(prolongation),
-          linear_nodes,
-          modes_of(*description.near_null_space,
-                   description.prolongation ? linear_nodes.n_owned_unknowns()
-                                            : nodes.n_owned_unknowns(),
-                   n));
+        const unsigned int n_unknowns = description.prolongation
+                                          ? linear_nodes.n_owned_unknowns()
+                                          : nodes.n_owned_unknowns();
+        hierarchy.reinit(BlockMatrix(read_square_blocks(matrix, n, added),
+                                     nodes,
+                                     nodes),
+                         std::move(prolongation),
+                         std::move(linear_nodes),
+                         modes_of(*description.near_null_space, n_unknowns, n));
       }
     catch (const std::exception &error)
       {

@@ -66,6 +66,17 @@ namespace stickslip
 
 
   unsigned int
+  NodeSpace::n_owners() const
+  {
+    unsigned int n = 0;
+    for (unsigned int rank = 0; rank + 1 < rank_begins.size(); ++rank)
+      n += rank_begins[rank + 1] > rank_begins[rank] ? 1 : 0;
+    return n;
+  }
+
+
+
+  unsigned int
   NodeSpace::local(const Index node) const
   {
     if (owns(node))

@@ -11,7 +11,8 @@ namespace stickslip
 {
   /**
    * LU factors, on rank 0, of a small matrix whose rows are distributed. A
-   * solve takes one gather and one scatter.
+   * solve takes a message from each other rank that has rows, and one back;
+   * ranks without rows do not wait.
    */
   class RootFactorization
   {
@@ -46,10 +47,26 @@ namespace stickslip
     clear();
 
   private:
+    /// The rows of a rank that has some.
+    struct Part
+    {
+      unsigned int rank;
+      int          begin, n_rows;
+    };
+
     MPI_Comm                    communicator = MPI_COMM_SELF;
-    LocalFactorization          factors;        ///< on rank 0
-    std::vector<int>            n_rows, begins; ///< by rank, on rank 0
+    LocalFactorization          factors; ///< these three on rank 0
+    std::vector<Part>           parts;
     mutable std::vector<double> all_x, all_b;
+
+    void
+    solve_on_root(std::vector<double> &x, const std::vector<double> &b) const;
+
+    void
+    send(const double *values, const int n, const unsigned int rank) const;
+
+    void
+    receive(double *values, const int n, const unsigned int rank) const;
   };
 } // namespace stickslip
 

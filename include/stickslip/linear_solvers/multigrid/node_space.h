@@ -121,6 +121,17 @@ namespace stickslip
     unsigned int
     rank_of(const Index node) const;
 
+    /// First node of each rank, and at last the number of all.
+    const std::vector<Index> &
+    first_nodes() const
+    {
+      return rank_begins;
+    }
+
+    /// Ranks that own nodes.
+    unsigned int
+    n_owners() const;
+
     const MPI_Comm &
     communicator() const
     {

@@ -18,9 +18,11 @@ namespace stickslip
    * Gauss-Seidel sweep before and after, a direct solver on the coarsest level.
    * A coarse node has as many unknowns as there are independent modes in its
    * aggregate, which is what makes it smaller than libraries with one number
-   * for all. Holds copies of all it needs; the matrices of the cycle are in
-   * single precision, those that coarser ones are made of in double precision:
-   * a body on weak springs would lose its rigid motions otherwise.
+   * for all. Levels with few unknowns on each rank move to fewer ranks, so that
+   * the coarsest one does not grow with the ranks. Holds copies of all it
+   * needs; the matrices of the cycle are in single precision, those that
+   * coarser ones are made of in double precision: a body on weak springs would
+   * lose its rigid motions otherwise.
    */
   class SmoothedAggregation
   {
@@ -34,7 +36,7 @@ namespace stickslip
     void
     reinit(BlockMatrix      &&matrix,
            BlockRows<float> &&prolongation,
-           const NodeSpace   &second,
+           NodeSpace        &&second,
            Modes            &&modes);
 
     void
@@ -54,6 +56,11 @@ namespace stickslip
     /// Unknowns of a level, over all ranks.
     types::global_dof_index
     n_unknowns(const unsigned int level) const;
+
+    /// Ranks that have unknowns of a level. The others wait for none of its
+    /// messages in a cycle.
+    unsigned int
+    n_ranks(const unsigned int level) const;
 
   private:
     struct Level

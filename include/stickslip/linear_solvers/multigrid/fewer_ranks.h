@@ -1,0 +1,23 @@
+#ifndef stickslip_linear_solvers_multigrid_fewer_ranks_h
+#define stickslip_linear_solvers_multigrid_fewer_ranks_h
+
+#include <stickslip/linear_solvers/multigrid/aggregation.h>
+
+namespace stickslip
+{
+  /**
+   * Moves the @p nodes of a level, of which there are no vectors and matrices
+   * yet, and their @p modes to fewer ranks, if half of those that have some are
+   * enough for @p least_unknowns on each. A group of ranks one after the other
+   * sends all to its first one, groups with about as many nodes each, so that
+   * nodes keep their numbers over all ranks, and columns of prolongations to
+   * them theirs. Matrices and vectors of the level then come and go directly
+   * between the ranks of the finer level and those of the new one. Collective.
+   */
+  void
+  move_to_fewer_ranks(NodeSpace                    &nodes,
+                      Modes                        &modes,
+                      const types::global_dof_index least_unknowns);
+} // namespace stickslip
+
+#endif
