@@ -81,13 +81,14 @@ namespace
           are_the_same = modes.values[nodes.begin(node) + i] == mode(global, i);
       }
     print("numbers mean the same nodes as before", are_the_same);
-    const bool have_moved  = nodes.n_owners() < n_owners,
-               one_has_all = nodes.n_owners() == 1;
+    const bool         have_moved = nodes.n_owners() < n_owners;
+    const unsigned int n_groups =
+      std::max((n_owners + 7) / 8,
+               static_cast<unsigned int>(n_unknowns / least));
     print("they move if half of the ranks are enough",
-          have_moved ==
-            (2 * std::max<unsigned int>(1, n_unknowns / least) <= n_owners));
-    print("ranks that they move to have enough on average, or one has all",
-          !have_moved || one_has_all || n_unknowns >= least * nodes.n_owners());
+          have_moved == (2 * n_groups <= n_owners));
+    print("as many have enough, or one of eight has all",
+          !have_moved || nodes.n_owners() <= n_groups);
     print("ranks without nodes have none",
           rank % 2 == 0 || nodes.n_owned() == 0);
   }
@@ -161,13 +162,14 @@ namespace
     print("as many levels as on one rank", last + 1 == alone[0]);
     print("all ranks have some of the finest level",
           levels.n_ranks(0) == Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
-    bool has_enough = true;
+    bool have_enough = true;
     for (unsigned int level = 1; level <= last; ++level)
-      has_enough =
-        has_enough && (levels.n_ranks(level) == 1 ||
-                       levels.n_unknowns(level) >= 150 * levels.n_ranks(level));
-    print("one rank has all of a coarse level, or ranks have 150 unknowns each",
-          has_enough);
+      have_enough =
+        have_enough &&
+        (levels.n_ranks(level) <= (levels.n_ranks(level - 1) + 7) / 8 ||
+         levels.n_unknowns(level) >= 250 * levels.n_ranks(level));
+    print("ranks have 250 unknowns of a coarse level, or one of eight has all",
+          have_enough);
     print("the coarsest level has at most 600 unknowns",
           levels.n_unknowns(last) <= 600);
     print("at most two iterations more than on one rank",

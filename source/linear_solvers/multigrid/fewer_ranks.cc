@@ -13,6 +13,10 @@ namespace stickslip
   {
     using Index = NodeSpace::Index;
 
+    /// Ranks. More would send many messages to one, and make a level of parts
+    /// of a few nodes each come together at once, which costs iterations.
+    constexpr unsigned int largest_group = 8;
+
 
 
     /// Some of the nodes, in the order of their numbers.
@@ -64,9 +68,11 @@ namespace stickslip
                       Modes      &modes,
                       const Index least_unknowns)
   {
-    const Index n_groups =
-      std::max<Index>(1, nodes.owned_unknowns().size() / least_unknowns);
-    if (2 * n_groups > nodes.n_owners())
+    const unsigned int n_owners = nodes.n_owners();
+    const Index        n_groups =
+      std::max<Index>((n_owners + largest_group - 1) / largest_group,
+                      nodes.owned_unknowns().size() / least_unknowns);
+    if (n_owners == 0 || 2 * n_groups > n_owners)
       return;
 
     Part part;
