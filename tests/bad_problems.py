@@ -325,6 +325,23 @@ CASES = {
         "plate.prm", own_condition("Body = plate", "Boundary = 0", "Type = periodic", "Direction = x"), WRONG_INPUT, ["Boundary conditions/own", "'Second boundary'"]),
     "periodic boundaries that do not match": (
         "plate.prm", own_condition("Body = plate", "Boundary = 0", "Second boundary = 3", "Type = periodic", "Direction = x"), WRONG_INPUT, ["face to face", "10 coarse faces"]),
+    "a sector that does not go into a full turn": (
+        "rollers.prm", body("tube", "Arguments = 10 |1| 11.27 : 0 |12| 100") + body("ring", "Arguments = 11.35 |2, 4| 20 : 0 |12| 100")
+        + own_condition("Body = tube", "Boundary = 2", "Second boundary = 3", "Type = cyclic symmetry"),
+        WRONG_INPUT, ["Boundary conditions/own", "100 degrees apart", "180, 120, 90"]),
+    "a sector that reaches its axis": (
+        "plate.prm", own_condition("Body = plate", "Boundary = 2", "Second boundary = 0", "Type = cyclic symmetry"),
+        WRONG_INPUT, ["Boundary conditions/own", "'plate' reaches the axis", "small hole"]),
+    "a quarter beside a third": (
+        "rollers.prm", body("tube", "Arguments = 10 |1| 11.27 : 0 |12| 90") + body("ring", "Arguments = 11.35 |2, 4| 20 : 0 |12| 120")
+        + section("Boundary conditions", "x = 1").replace("set x = 1", "".join(
+            f"subsection sides of {name}\n set Body = {name}\n set Type = cyclic symmetry\n set Boundary = 2\n set Second boundary = 3\n end\n"
+            for name in ("tube", "ring"))),
+        WRONG_INPUT, ["sides of tube and", "1/4", "1/3", "one cyclic symmetry"]),
+    "two thirds as a sector": (
+        "rollers.prm", body("tube", "Arguments = 10 |1| 11.27 : 0 |24| 240") + body("ring", "Arguments = 11.35 |2, 4| 20 : 0 |12| 90")
+        + own_condition("Body = tube", "Boundary = 2", "Second boundary = 3", "Type = cyclic symmetry"),
+        WRONG_INPUT, ["Boundary conditions/own", "240 degrees apart"]),
     "an amplitude that nobody has made": (
         "plate.prm", own_condition("Body = plate", "Boundary = 3", "Type = pressure", "Value = 1", "Amplitude = rmap")
         + section("Amplitudes", "x = 1").replace("set x = 1", "subsection ramp\n set Table = 0: 0, 1: 1\n end"),

@@ -146,6 +146,7 @@ namespace stickslip
                                    second));
           check_periodicity(request, result.back(), coarse_mesh);
         }
+      check_compatible(result);
       return result;
     }
 

@@ -12,6 +12,7 @@
 #include <deal.II/physics/transformations.h>
 
 #include <cmath>
+#include <string>
 
 namespace stickslip
 {
@@ -20,6 +21,10 @@ namespace stickslip
     /// Of the angle of a sector, in parts of itself: mesh files have rounded
     /// numbers.
     constexpr double angle_tolerance = 1e-5;
+
+    /// Axes that differ by less, in radians or parts of the distance of the
+    /// sides, are the same.
+    constexpr double same_axis = 1e-6;
 
     /// Sectors that reach closer to the axis, as a part of the distance of
     /// their middle, reach it.
@@ -65,6 +70,22 @@ namespace stickslip
                               request.body +
                               "' reaches the axis of its cyclic symmetry. A "
                               "sector has to keep off it: leave a small hole.");
+    }
+
+
+
+    /// From a boundary into the body behind it.
+    template <int dim>
+    Tensor<1, 3>
+    way_inside(const Triangulation<dim> &coarse_mesh,
+               const types::boundary_id  boundary)
+    {
+      Tensor<1, 3> sum;
+      for (const auto &cell : coarse_mesh.active_cell_iterators())
+        for (const auto &face : cell->face_iterators())
+          if (face->at_boundary() && face->boundary_id() == boundary)
+            sum += in_space<dim>(cell->center() - face->center());
+      return sum;
     }
 
 
@@ -224,13 +245,20 @@ namespace stickslip
     const double angle =
       std::atan2(cross_product_3d(r_a, r_b) * request.axis, r_a * r_b);
     const double n = std::round(2. * numbers::PI / std::abs(angle));
-    if (!(n >= 2. && n < 1e4) ||
+    // N - 1 sectors have their sides where one has them, on the other side
+    const bool is_rest = n > 2.5 && (cross_product_3d(request.axis, r_a) *
+                                     way_inside(coarse_mesh, first)) *
+                                        angle <
+                                      0.;
+    if (is_rest || !(n >= 2. && n < 1e4) ||
         std::abs(std::abs(angle) * n - 2. * numbers::PI) >
           angle_tolerance * 2. * numbers::PI)
       throw UserError(request.parameter_path + ": boundaries " + request.first +
                       " and " + request.second + " of body '" + request.body +
                       "' are " +
-                      short_number(std::abs(angle) * 180. / numbers::PI) +
+                      short_number((is_rest ? 2. * numbers::PI - std::abs(angle)
+                                            : std::abs(angle)) *
+                                   180. / numbers::PI) +
                       " degrees apart about the axis, but a sector of cyclic "
                       "symmetry is 180, 120, 90, 72, ... degrees wide: a whole "
                       "number of them makes a full turn.");
@@ -246,6 +274,42 @@ namespace stickslip
       if (std::abs(across[d]) > std::abs(across[result.direction]))
         result.direction = d;
     return result;
+  }
+
+
+
+  void
+  check_compatible(const std::vector<PeriodicBoundary> &boundaries)
+  {
+    const auto refuse = [](const PeriodicBoundary &a,
+                           const PeriodicBoundary &b,
+                           const std::string      &why) {
+      throw UserError(a.parameter_path + " and " + b.parameter_path + ": " +
+                      why);
+    };
+    for (const PeriodicBoundary &a : boundaries)
+      for (const PeriodicBoundary &b : boundaries)
+        if (a.is_cyclic() && b.is_cyclic())
+          {
+            const Tensor<1, 3> between = b.centre - a.centre;
+            if (a.order != b.order)
+              refuse(a,
+                     b,
+                     "one sector is 1/" + std::to_string(a.order) +
+                       " of a full turn, the other one 1/" +
+                       std::to_string(b.order) +
+                       ". A model has one cyclic symmetry.");
+            if (cross_product_3d(a.axis, b.axis).norm() > same_axis ||
+                cross_product_3d(a.axis, between).norm() >
+                  same_axis * a.distance)
+              refuse(a, b, "their axes differ. A model has one axis.");
+          }
+        else if (a.is_cyclic() &&
+                 std::abs(std::abs(a.axis[b.direction]) - 1.) > same_axis)
+          refuse(a,
+                 b,
+                 "beside cyclic symmetry periodic boundaries can only be "
+                 "along its axis.");
   }
 
 

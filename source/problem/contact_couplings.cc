@@ -61,6 +61,9 @@ namespace stickslip
       pair.mortar ? pair.mortar->node(place).dofs : slave.face.dofs;
     for (const auto dof : slave.multiplier_dofs)
       dofs.push_back(n_displacements + dof);
+    // several images of one node have the same
+    std::sort(dofs.begin(), dofs.end());
+    dofs.erase(std::unique(dofs.begin(), dofs.end()), dofs.end());
     return dofs;
   }
 

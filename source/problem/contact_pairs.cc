@@ -16,7 +16,9 @@ namespace stickslip
     /// prescribe.
     template <int dim>
     std::set<types::global_dof_index>
-    held_nodes(const DofLayout<dim> &dofs, const Constraints &supports)
+    held_nodes(const DofLayout<dim>      &dofs,
+               const PeriodicImages<dim> &images,
+               const Constraints         &supports)
     {
       std::set<types::global_dof_index> held;
       for (const auto dof : dofs.relevant)
@@ -27,9 +29,28 @@ namespace stickslip
             is_held = supports.is_constrained(dof + c) &&
                       supports.get_constraint_entries(dof + c)->empty();
           if (is_held)
-            held.insert(dof);
+            held.insert(images.original(dof));
         }
       return held;
+    }
+
+
+
+    /// Sides of periodic boundaries are no surfaces of the body.
+    void
+    leave_out_cuts(const Bodies                 &bodies,
+                   const std::string            &path,
+                   std::set<types::boundary_id> &surface)
+    {
+      std::string of_condition;
+      for (const PeriodicBoundary &boundary : bodies.periodic_boundaries)
+        if (surface.erase(boundary.first) + surface.erase(boundary.second) > 0)
+          of_condition = boundary.parameter_path;
+      if (surface.empty() && !of_condition.empty())
+        throw UserError("'" + path + "' has nothing but sides of '" +
+                        of_condition +
+                        "', which are cuts through the body: there is no "
+                        "contact on them.");
     }
 
 
@@ -77,7 +98,8 @@ namespace stickslip
   {
     const auto images =
       std::make_shared<const PeriodicImages<dim>>(bodies.periodic_boundaries,
-                                                  dofs.periodic_nodes);
+                                                  dofs.periodic_nodes,
+                                                  communicator);
     std::vector<std::unique_ptr<ContactPair<dim>>> pairs;
     for (const auto &[name, pair] : parameters)
       {
@@ -92,19 +114,19 @@ namespace stickslip
                           "/Master boundary' is missing: a contact pair needs "
                           "Slave body, Slave boundary, Master body and Master "
                           "boundary (unless that is a rigid tool).");
-        const auto slave =
-          pair.is_automatic
-            ? pair.slave_ids
-            : bodies.global_boundary_ids(pair.slave_body,
-                                         pair.slave_boundary,
-                                         path + "/Slave boundary");
-        const auto master =
-          pair.is_automatic ? pair.master_ids
-          : has_tool && pair.master_boundary.empty()
-            ? bodies.all_boundary_ids(master_body)
-            : bodies.global_boundary_ids(pair.master_body,
-                                         pair.master_boundary,
-                                         path + "/Master boundary");
+        auto slave  = pair.is_automatic
+                        ? pair.slave_ids
+                        : bodies.global_boundary_ids(pair.slave_body,
+                                                    pair.slave_boundary,
+                                                    path + "/Slave boundary");
+        auto master = pair.is_automatic ? pair.master_ids
+                      : has_tool && pair.master_boundary.empty()
+                        ? bodies.all_boundary_ids(master_body)
+                        : bodies.global_boundary_ids(pair.master_body,
+                                                     pair.master_boundary,
+                                                     path + "/Master boundary");
+        leave_out_cuts(bodies, path + "/Slave boundary", slave);
+        leave_out_cuts(bodies, path + "/Master boundary", master);
         if (bodies.bodies[slave_body].is_rigid &&
             bodies.bodies[master_body].is_rigid)
           throw UserError("'" + path + "': both bodies, '" + pair.slave_body +
@@ -119,6 +141,7 @@ namespace stickslip
                               bodies.cross_section,
                               bodies.bodies[slave_body].cells,
                               bodies.bodies[master_body].cells,
+                              slave_body,
                               master_body};
         if (bodies.bodies[slave_body].parameters.is_tool())
           throw UserError("'" + path + "/Slave body = " + pair.slave_body +
@@ -138,7 +161,7 @@ namespace stickslip
                                        path + "/Excluded boundaries");
         // a bond there would leave its multiplier to the master alone
         if (pair.is_bilateral() && !bodies.bodies[slave_body].is_rigid)
-          surfaces.excluded_nodes = held_nodes(dofs, supports);
+          surfaces.excluded_nodes = held_nodes(dofs, *images, supports);
         pairs.push_back(std::make_unique<ContactPair<dim>>(name,
                                                            pair,
                                                            surfaces,

@@ -20,6 +20,10 @@ namespace stickslip
     owned = dof_handler.locally_owned_dofs();
     DoFTools::extract_locally_relevant_dofs(dof_handler, relevant);
     periodic_nodes = PeriodicNodes<dim>(periodic, mapping, dof_handler);
+    // an image at the rim of the ghost cells moves with what is out of sight
+    for (const auto &[first, image] : periodic_nodes.images())
+      relevant.add_range(image.original, image.original + dim);
+    relevant.compress();
   }
 
 

@@ -101,6 +101,10 @@ namespace stickslip
                          const types::boundary_id  first,
                          const types::boundary_id  second);
 
+  /// Throws UserError where motions are of different symmetries of a model.
+  void
+  check_compatible(const std::vector<PeriodicBoundary> &boundaries);
+
   /// Tells the coarse mesh which of its faces are one. Throws what deal.II
   /// throws if they do not match.
   template <int dim>

@@ -326,7 +326,7 @@ namespace stickslip
             assume_stick_before_first_pressure(point, state);
             if (pair->mortar && point.pairing.paired)
               hold_touching_node(point, state);
-            const auto dofs = point_dofs(*pair, point, n_displacements);
+            auto dofs = point_dofs(*pair, point, n_displacements);
             local.reinit(dofs.size());
             local_matrix.reinit(dofs.size(), dofs.size());
             evaluate_local_residual(*pair, point, state, local);
@@ -336,6 +336,7 @@ namespace stickslip
                                    state,
                                    this->live.geometry && linearize_geometry,
                                    local_matrix);
+            merge_images(*pair, point, dofs, local, local_matrix);
             constraints.distribute_local_to_global(
               local_matrix, local, dofs, matrix, rhs);
             if (has_linearized_friction(*pair, point))

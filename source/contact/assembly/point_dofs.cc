@@ -1,5 +1,7 @@
 #include <stickslip/contact/assembly/point_dofs.h>
 
+#include <map>
+
 namespace stickslip
 {
   namespace
@@ -90,17 +92,61 @@ namespace stickslip
     turn_back(nodes_of(pair, point), local);
   }
 
-#define INSTANTIATE(dim)                                    \
-  template std::vector<types::global_dof_index> point_dofs( \
-    const ContactPair<dim> &,                               \
-    const ContactPoint<dim> &,                              \
-    const types::global_dof_index);                         \
-  template void turn_images_back(const ContactPair<dim> &,  \
-                                 const ContactPoint<dim> &, \
-                                 Vector<double> &);         \
-  template void turn_images_back(const ContactPair<dim> &,  \
-                                 const ContactPoint<dim> &, \
-                                 FullMatrix<double> &);
+
+
+  template <int dim>
+  void
+  merge_images(const ContactPair<dim>               &pair,
+               const ContactPoint<dim>              &point,
+               std::vector<types::global_dof_index> &dofs,
+               Vector<double>                       &local,
+               FullMatrix<double>                   &local_matrix)
+  {
+    const PointNodes<dim> nodes = nodes_of(pair, point);
+    if (nodes.slave->images.empty() &&
+        (nodes.master == nullptr || nodes.master->images.empty()))
+      return;
+    std::map<types::global_dof_index, unsigned int> numbers;
+    std::vector<unsigned int>                       number;
+    std::vector<types::global_dof_index>            once;
+    for (const auto dof : dofs)
+      {
+        const auto [entry, is_new] = numbers.emplace(dof, once.size());
+        if (is_new)
+          once.push_back(dof);
+        number.push_back(entry->second);
+      }
+    if (once.size() == dofs.size())
+      return;
+    Vector<double>     sum(once.size());
+    FullMatrix<double> sums(once.size(), once.size());
+    for (unsigned int i = 0; i < dofs.size(); ++i)
+      {
+        sum[number[i]] += local[i];
+        for (unsigned int k = 0; k < dofs.size(); ++k)
+          sums(number[i], number[k]) += local_matrix(i, k);
+      }
+    dofs.swap(once);
+    local        = sum;
+    local_matrix = sums;
+  }
+
+#define INSTANTIATE(dim)                                             \
+  template std::vector<types::global_dof_index> point_dofs(          \
+    const ContactPair<dim> &,                                        \
+    const ContactPoint<dim> &,                                       \
+    const types::global_dof_index);                                  \
+  template void turn_images_back(const ContactPair<dim> &,           \
+                                 const ContactPoint<dim> &,          \
+                                 Vector<double> &);                  \
+  template void turn_images_back(const ContactPair<dim> &,           \
+                                 const ContactPoint<dim> &,          \
+                                 FullMatrix<double> &);              \
+  template void merge_images(const ContactPair<dim> &,               \
+                             const ContactPoint<dim> &,              \
+                             std::vector<types::global_dof_index> &, \
+                             Vector<double> &,                       \
+                             FullMatrix<double> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

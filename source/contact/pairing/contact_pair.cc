@@ -44,10 +44,8 @@ namespace stickslip
   {
     if (meets_itself())
       parameters.check_self_contact(path());
-
-    const FaceShape<dim> master_shape(displacement_shape.degree(),
+    const FaceShape<dim>   master_shape(displacement_shape.degree(),
                                       faces_of<dim>(surfaces.master_cells));
-
     PairFaceCollector<dim> collector{
       mapping, dof_handler, supports, modulus, surfaces.cross_section, *images};
     collector.has_curved_facets = parameters.has_curved_facets();
@@ -55,21 +53,25 @@ namespace stickslip
                                     surfaces.slave_body,
                                     displacement_shape,
                                     communicator);
+    images->check_slave(path(),
+                        surfaces.master_number,
+                        surfaces.slave_number,
+                        slaves);
     collector.has_curved_facets &= !tool.tool;
     auto masters = collector.collect(surfaces.master,
                                      surfaces.master_body,
                                      master_shape,
                                      communicator);
     set_rises_of_convex_pairs(
-      master_shape, masters, displacement_shape, communicator, slaves);
+      master_shape, masters, displacement_shape, *images, communicator, slaves);
     if (parameters.has_smoothed_normals() && !tool.tool)
       add_nodal_normals(masters,
                         master_shape,
                         parameters.smoothing_angle * numbers::PI / 180.);
     std::vector<SurfaceFace<dim>> owned_masters = tool.owned_frame;
-    for (const auto &master : masters)
-      if (!tool.tool && master.is_owned())
-        owned_masters.push_back(master.face);
+    for (const auto &face : masters)
+      if (!tool.tool && face.is_owned())
+        owned_masters.push_back(face.face);
 
     for (const auto &slave : slaves)
       if (slave.is_owned())
@@ -93,11 +95,9 @@ namespace stickslip
                                        parameters.end_overlap,
                                        parameters.least_cosine,
                                        meets_itself()};
-    const MasterImages<dim> repeated{
-      images,
-      tool.tool
-        ? std::vector<unsigned int>()
-        : images->images_of(surfaces.master_number, masters, communicator)};
+    const MasterImages<dim> repeated{images,
+                                     images->images_of(surfaces.master_number,
+                                                       masters)};
     patch = std::make_unique<MasterPatch<dim>>(owned_masters,
                                                master_shape,
                                                tolerances,
@@ -175,14 +175,13 @@ namespace stickslip
   ContactPair<dim>::set_multiplier_dofs(const MultiplierNumbering &numbering,
                                         const unsigned int         pair_index)
   {
-    const auto         keys   = multiplier_keys();
-    const unsigned int n      = multiplier_shape.n_nodes();
-    const unsigned int n_comp = n_multiplier_components();
+    const auto         keys = multiplier_keys();
+    const unsigned int n    = multiplier_shape.n_nodes();
     for (unsigned int f = 0; f < slave_faces.size(); ++f)
       for (unsigned int j = 0; j < n; ++j)
         {
           const auto first = numbering.first_dof(pair_index, keys[f * n + j]);
-          for (unsigned int c = 0; c < n_comp; ++c)
+          for (unsigned int c = 0; c < n_multiplier_components(); ++c)
             slave_faces[f].multiplier_dofs.push_back(first + c);
         }
   }

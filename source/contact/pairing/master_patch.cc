@@ -196,8 +196,12 @@ namespace stickslip
                                     const RTree<Box> &tree_of_owned) const
   {
     std::vector<OwnedImage> result;
-    if (rigid_tool && !boxes.empty() && !owned.empty())
-      result = {{0, 0}};
+    if (rigid_tool)
+      {
+        if (!boxes.empty() && !owned.empty())
+          result = {{0, 0}};
+        return result;
+      }
     const auto add = [&](const BoundingBox<dim> &box,
                          const unsigned int      image) {
       for (const auto &hit :

@@ -269,6 +269,7 @@ namespace stickslip
   set_rises_of_convex_pairs(const FaceShape<dim>                  &master_shape,
                             const std::vector<CollectedFace<dim>> &masters,
                             const FaceShape<dim>                  &slave_shape,
+                            const PeriodicImages<dim>             &images,
                             const MPI_Comm                        &communicator,
                             std::vector<CollectedFace<dim>>       &slaves)
   {
@@ -282,8 +283,13 @@ namespace stickslip
       {
         slave.face.rise.clear();
         if (master.curvature > 0.)
-          for (const auto &edge : edges_of(slave_shape, slave.face))
-            slave.face.rise.push_back(master.rise_over(edge));
+          {
+            // of an image that of the face itself, wherever the axis is
+            const Tensor<2, dim> Q = images.motion(slave.face.id.image)
+                                       .template rotation_matrix<dim>();
+            for (const auto &edge : edges_of(slave_shape, slave.face))
+              slave.face.rise.push_back(master.rise_over(edge * Q));
+          }
       }
   }
 
@@ -293,12 +299,14 @@ namespace stickslip
   set_rises_of_convex_pairs(const FaceShape<2> &,
                             const std::vector<CollectedFace<2>> &,
                             const FaceShape<2> &,
+                            const PeriodicImages<2> &,
                             const MPI_Comm &,
                             std::vector<CollectedFace<2>> &);
   template void
   set_rises_of_convex_pairs(const FaceShape<3> &,
                             const std::vector<CollectedFace<3>> &,
                             const FaceShape<3> &,
+                            const PeriodicImages<3> &,
                             const MPI_Comm &,
                             std::vector<CollectedFace<3>> &);
   template struct PairFaceCollector<2>;

@@ -66,8 +66,9 @@ namespace stickslip
         unsigned int found = 0;
         for (const auto &slave : slave_faces)
           for (unsigned int j = 0; j < slave.face.n_nodes; ++j)
-            if (slave.face.reference_positions[j].distance(point) <
-                1e-6 * slave.face.diameter)
+            if (slave.face.id.image == 0 &&
+                slave.face.reference_positions[j].distance(point) <
+                  1e-6 * slave.face.diameter)
               {
                 excluded.insert(slave.face.dofs[j * dim]);
                 ++found;

@@ -1,5 +1,7 @@
 #include <stickslip/contact/surface/periodic_images.h>
 
+#include <stickslip/base/user_error.h>
+
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/numbers.h>
 
@@ -17,7 +19,7 @@ namespace stickslip
     constexpr double same = 1e-6;
 
     /// Periods to each side of a shift.
-    constexpr int n_periods = 2;
+    constexpr int n_periods = 5;
 
 
 
@@ -47,7 +49,9 @@ namespace stickslip
   template <int dim>
   PeriodicImages<dim>::PeriodicImages(
     const std::vector<PeriodicBoundary> &boundaries,
-    const PeriodicNodes<dim>            &periodic_nodes)
+    const PeriodicNodes<dim>            &periodic_nodes,
+    const MPI_Comm                      &communicator)
+    : communicator(communicator)
   {
     for (const PeriodicBoundary &boundary : boundaries)
       {
@@ -174,9 +178,9 @@ namespace stickslip
 
   template <int dim>
   bool
-  PeriodicImages<dim>::has_room(const Generator &generator,
-                                const std::vector<CollectedFace<dim>> &faces,
-                                const MPI_Comm &communicator) const
+  PeriodicImages<dim>::has_room(
+    const Generator                       &generator,
+    const std::vector<CollectedFace<dim>> &faces) const
   {
     // along the shift, or around the axis from where the middle is
     const auto places = [&](const auto &visit) {
@@ -212,16 +216,14 @@ namespace stickslip
 
   template <int dim>
   std::vector<unsigned int>
-  PeriodicImages<dim>::images_of(const unsigned int                     body,
-                                 const std::vector<CollectedFace<dim>> &faces,
-                                 const MPI_Comm &communicator) const
+  PeriodicImages<dim>::images_of(
+    const unsigned int                     body,
+    const std::vector<CollectedFace<dim>> &faces) const
   {
     std::vector<bool> repeats;
     for (const Generator &generator : generators)
-      repeats.push_back(generator.bodies.count(body) > 0);
-    if (std::none_of(repeats.begin(), repeats.end(), [](bool b) { return b; }))
-      for (unsigned int g = 0; g < generators.size(); ++g)
-        repeats[g] = has_room(generators[g], faces, communicator);
+      repeats.push_back(generator.bodies.count(body) > 0 ||
+                        has_room(generator, faces));
     std::vector<unsigned int> images;
     for (unsigned int i = 1; i < motions.size(); ++i)
       {
@@ -232,6 +234,25 @@ namespace stickslip
           images.push_back(i);
       }
     return images;
+  }
+
+
+
+  template <int dim>
+  void
+  PeriodicImages<dim>::check_slave(
+    const std::string                     &path,
+    const unsigned int                     master,
+    const unsigned int                     slave,
+    const std::vector<CollectedFace<dim>> &faces) const
+  {
+    for (const Generator &generator : generators)
+      if (generator.bodies.count(master) > 0 &&
+          generator.bodies.count(slave) == 0 && !has_room(generator, faces))
+        throw UserError("'" + path +
+                        "': periodic boundaries or cyclic symmetry cut the "
+                        "master, but not the slave, which has no room between "
+                        "its images. Cut the slave in the same way.");
   }
 
 

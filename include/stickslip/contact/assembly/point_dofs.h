@@ -34,6 +34,15 @@ namespace stickslip
   turn_images_back(const ContactPair<dim>  &pair,
                    const ContactPoint<dim> &point,
                    FullMatrix<double>      &local);
+  /// Where a point meets two images of one node, its dofs are there twice: sums
+  /// up their rows and columns, so that each is there once.
+  template <int dim>
+  void
+  merge_images(const ContactPair<dim>               &pair,
+               const ContactPoint<dim>              &point,
+               std::vector<types::global_dof_index> &dofs,
+               Vector<double>                       &local,
+               FullMatrix<double>                   &local_matrix);
 } // namespace stickslip
 
 #endif

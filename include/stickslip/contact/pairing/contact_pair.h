@@ -37,7 +37,8 @@ namespace stickslip
     /// side.
     ReferenceCell slave_cells   = ReferenceCell();
     ReferenceCell master_cells  = ReferenceCell();
-    unsigned int  master_number = 0; ///< of the body
+    unsigned int  slave_number  = 0; ///< of the body
+    unsigned int  master_number = 0; ///< likewise
 
     /// True if the pair is a surface that meets itself.
     bool

@@ -1,6 +1,7 @@
 #ifndef stickslip_contact_pairing_pair_faces_h
 #define stickslip_contact_pairing_pair_faces_h
 
+#include <stickslip/contact/surface/periodic_images.h>
 #include <stickslip/contact/surface/surface_face.h>
 
 #include <stickslip/mesh/cross_section.h>
@@ -57,6 +58,7 @@ namespace stickslip
   set_rises_of_convex_pairs(const FaceShape<dim>                  &master_shape,
                             const std::vector<CollectedFace<dim>> &masters,
                             const FaceShape<dim>                  &slave_shape,
+                            const PeriodicImages<dim>             &images,
                             const MPI_Comm                        &communicator,
                             std::vector<CollectedFace<dim>>       &slaves);
 } // namespace stickslip

@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -29,8 +30,10 @@ namespace stickslip
   public:
     PeriodicImages() = default;
 
+    /// @p communicator is that of all ranks of the model.
     PeriodicImages(const std::vector<PeriodicBoundary> &boundaries,
-                   const PeriodicNodes<dim>            &periodic_nodes);
+                   const PeriodicNodes<dim>            &periodic_nodes,
+                   const MPI_Comm                      &communicator);
 
     const PeriodicMotion &
     motion(const unsigned int image) const
@@ -48,14 +51,21 @@ namespace stickslip
 
     /**
      * The images of the surface of @p body, whose @p faces this rank knows: by
-     * the motions of its own periodic boundaries; of a body without any, by
-     * those between whose images it has room. Without the surface itself,
-     * sorted. Collective.
+     * the motions of its own periodic boundaries, and by those between whose
+     * images it has room. Without the surface itself, sorted. Collective.
      */
     std::vector<unsigned int>
     images_of(const unsigned int                     body,
-              const std::vector<CollectedFace<dim>> &faces,
-              const MPI_Comm                        &communicator) const;
+              const std::vector<CollectedFace<dim>> &faces) const;
+
+    /// Throws UserError if periodic boundaries cut the body @p master, but not
+    /// the body @p slave of pair @p path, which has no room between its images
+    /// either; its @p faces this rank knows. Collective.
+    void
+    check_slave(const std::string                     &path,
+                const unsigned int                     master,
+                const unsigned int                     slave,
+                const std::vector<CollectedFace<dim>> &faces) const;
 
     /// Image @p image of @p face; nothing if it, or a part of it, is too far
     /// away.
@@ -97,6 +107,7 @@ namespace stickslip
     std::vector<Generator>        generators;
     std::vector<std::vector<int>> powers{{}}; ///< [image][generator]
     std::vector<PeriodicMotion>   motions{PeriodicMotion()}; ///< [image]
+    MPI_Comm                      communicator     = MPI_COMM_SELF;
     bool                          has_rotations    = false;
     double                        largest_distance = 0.; ///< [length]
     /// By the first dof of a node: that of its original, and its image.
@@ -120,8 +131,7 @@ namespace stickslip
     /// Whether what @p faces have fits between the images of @p generator.
     bool
     has_room(const Generator                       &generator,
-             const std::vector<CollectedFace<dim>> &faces,
-             const MPI_Comm                        &communicator) const;
+             const std::vector<CollectedFace<dim>> &faces) const;
   };
 } // namespace stickslip
 
