@@ -1,5 +1,6 @@
 #include <stickslip/mesh/periodicity.h>
 
+#include <stickslip/base/in_space.h>
 #include <stickslip/base/short_number.h>
 #include <stickslip/base/user_error.h>
 
@@ -29,18 +30,6 @@ namespace stickslip
     /// Sectors that reach closer to the axis, as a part of the distance of
     /// their middle, reach it.
     constexpr double at_axis = 1e-8;
-
-
-
-    template <int dim>
-    Tensor<1, 3>
-    in_space(const Tensor<1, dim> &x)
-    {
-      Tensor<1, 3> result;
-      for (unsigned int d = 0; d < dim; ++d)
-        result[d] = x[d];
-      return result;
-    }
 
 
 
@@ -86,6 +75,25 @@ namespace stickslip
           if (face->at_boundary() && face->boundary_id() == boundary)
             sum += in_space<dim>(cell->center() - face->center());
       return sum;
+    }
+
+
+
+    /// Where the faces of a boundary are: the mean of their centres.
+    template <int dim>
+    Point<dim>
+    mean_of_faces(const Triangulation<dim> &coarse_mesh,
+                  const types::boundary_id  boundary)
+    {
+      Point<dim>   sum;
+      unsigned int n = 0;
+      for (const auto &face : coarse_mesh.active_face_iterators())
+        if (face->at_boundary() && face->boundary_id() == boundary)
+          {
+            sum += face->center();
+            ++n;
+          }
+      return n == 0 ? sum : sum / static_cast<double>(n);
     }
 
 
@@ -188,24 +196,6 @@ namespace stickslip
   PeriodicMotion::inverse() const
   {
     return {transpose(Q), -1. * (transpose(Q) * c)};
-  }
-
-
-
-  template <int dim>
-  Point<dim>
-  mean_of_faces(const Triangulation<dim> &coarse_mesh,
-                const types::boundary_id  boundary)
-  {
-    Point<dim>   sum;
-    unsigned int n = 0;
-    for (const auto &face : coarse_mesh.active_face_iterators())
-      if (face->at_boundary() && face->boundary_id() == boundary)
-        {
-          sum += face->center();
-          ++n;
-        }
-    return n == 0 ? sum : sum / static_cast<double>(n);
   }
 
 
@@ -331,8 +321,6 @@ namespace stickslip
   template Tensor<2, dim> PeriodicMotion::rotation_matrix() const;             \
   template Tensor<1, dim> PeriodicMotion::operator()(const Tensor<1, dim> &)   \
     const;                                                                     \
-  template Point<dim>       mean_of_faces(const Triangulation<dim> &,          \
-                                          const types::boundary_id);           \
   template PeriodicBoundary find_periodic_boundary(const PeriodicRequest &,    \
                                                    const Triangulation<dim> &, \
                                                    const unsigned int,         \

@@ -50,7 +50,7 @@ namespace stickslip
               }
             is_excluded = is_excluded || is_held;
           }
-        // hanging and periodic nodes have no multipliers of their own
+        // hanging nodes have no multipliers of their own
         const auto *entries = pair.hanging_nodes().combination(node.key);
         if (entries == nullptr && geometric.is_constrained(node.key))
           entries = geometric.get_constraint_entries(node.key);

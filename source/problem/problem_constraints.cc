@@ -355,7 +355,7 @@ namespace stickslip
                                   dofs.owned.size());
     increment_lines.close();
 
-    // the rows of hanging and periodic multipliers are a part of others, too
+    // the rows of hanging multipliers are a part of others, too
     Constraints multiplier_lines(local);
     multiplier_constraints.add_to(multiplier_lines,
                                   geometric_lines,

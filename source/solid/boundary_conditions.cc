@@ -264,7 +264,7 @@ namespace stickslip
             check_coupled_node(node, displacements, time, error);
             continue;
           }
-        // Hanging and periodic nodes follow others.
+        // Hanging nodes and images follow others.
         if (constraints.is_constrained(first_dof))
           continue;
         Tensor<1, dim> u_node;

@@ -1,5 +1,7 @@
 #include <stickslip/solid/force_distribution.h>
 
+#include <stickslip/base/in_space.h>
+
 #include <stickslip/mesh/by_kind.h>
 #include <stickslip/mesh/reference_cells.h>
 
@@ -19,19 +21,6 @@ namespace stickslip
 {
   namespace
   {
-    /// In 2D with a zero.
-    template <int dim>
-    Tensor<1, 3>
-    in_space(const Tensor<1, dim> &v)
-    {
-      Tensor<1, 3> result;
-      for (unsigned int d = 0; d < dim; ++d)
-        result[d] = v[d];
-      return result;
-    }
-
-
-
     template <int dim>
     Tensor<1, dim>
     in_model(const Tensor<1, 3> &v)

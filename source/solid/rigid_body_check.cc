@@ -19,32 +19,6 @@ namespace stickslip
 {
   namespace
   {
-    /// Mean position of the faces of one boundary. Collective.
-    template <int dim>
-    Point<dim>
-    mean_face_position(const Triangulation<dim> &triangulation,
-                       const types::boundary_id  id)
-    {
-      std::vector<double> sums(dim + 1, 0.);
-      for (const auto &cell : triangulation.active_cell_iterators())
-        if (cell->is_locally_owned() && cell->at_boundary())
-          for (const auto &face : cell->face_iterators())
-            if (face->at_boundary() && face->boundary_id() == id)
-              {
-                sums[dim] += 1.;
-                for (unsigned int d = 0; d < dim; ++d)
-                  sums[d] += face->center()[d];
-              }
-      const std::vector<double> local = sums;
-      Utilities::MPI::sum(local, triangulation.get_communicator(), sums);
-      Point<dim> mean;
-      for (unsigned int d = 0; d < dim; ++d)
-        mean[d] = sums[d] / sums[dim];
-      return mean;
-    }
-
-
-
     template <int dim>
     using Box = std::pair<Point<dim>, Point<dim>>;
 
@@ -173,10 +147,7 @@ namespace stickslip
                          modes[group_of_body[load.body]]);
 
       for (const PeriodicBoundary &boundary : bodies.periodic_boundaries)
-        modes[group_of_body[boundary.body]].tie(
-          mean_face_position(triangulation, boundary.first),
-          mean_face_position(triangulation, boundary.second),
-          boundary.motion.rotation_matrix<dim>());
+        modes[group_of_body[boundary.body]].tie(boundary.motion);
       for (RigidBodyModes<dim> &of_group : modes)
         of_group.sum_over_ranks(communicator);
       return modes;

@@ -163,30 +163,29 @@ namespace stickslip
 
   template <int dim>
   void
-  RigidBodyModes<dim>::tie(const Point<dim>     &first,
-                           const Point<dim>     &second,
-                           const Tensor<2, dim> &Q)
+  RigidBodyModes<dim>::tie(const PeriodicMotion &motion)
   {
-    std::vector<Tensor<1, dim>> offsets(1); // that place, and others around it
+    const Tensor<2, dim>        Q = motion.rotation_matrix<dim>();
+    std::vector<Tensor<1, dim>> arms(1); // of the centre, and of places around
     for (unsigned int c = 0; c < dim; ++c)
       {
-        offsets.emplace_back();
-        offsets.back()[c] = length;
+        arms.emplace_back();
+        arms.back()[c] = length;
       }
-    for (const Tensor<1, dim> &offset : offsets)
-      for (unsigned int d = 0; d < dim; ++d)
-        {
-          Vector<double> row(n_modes);
-          for (unsigned int m = 0; m < n_modes; ++m)
-            {
-              const Tensor<1, dim> there =
-                rigid_mode<dim>(m, second + Q * offset - centre);
-              const Tensor<1, dim> here =
-                Q * rigid_mode<dim>(m, first + offset - centre);
-              row(m) = (there - here)[d] / (m < dim ? 1. : length);
-            }
-          add_row(row);
-        }
+    for (const Tensor<1, dim> &arm : arms)
+      {
+        const Tensor<1, dim> there =
+          motion(Tensor<1, dim>(centre + arm)) - Tensor<1, dim>(centre);
+        for (unsigned int d = 0; d < dim; ++d)
+          {
+            Vector<double> row(n_modes);
+            for (unsigned int m = 0; m < n_modes; ++m)
+              row(m) =
+                (rigid_mode<dim>(m, there) - Q * rigid_mode<dim>(m, arm))[d] /
+                (m < dim ? 1. : length);
+            add_row(row);
+          }
+      }
   }
 
 

@@ -1,5 +1,7 @@
 #include <stickslip/solid/rigid_state.h>
 
+#include <stickslip/base/in_space.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,18 +9,6 @@ namespace stickslip
 {
   namespace
   {
-    template <int dim>
-    Tensor<1, 3>
-    in_space(const Tensor<1, dim> &v)
-    {
-      Tensor<1, 3> result;
-      for (unsigned int d = 0; d < dim; ++d)
-        result[d] = v[d];
-      return result;
-    }
-
-
-
     template <int dim>
     Tensor<2, 3>
     outer_product_in_space(const Tensor<1, dim> &a, const Tensor<1, dim> &b)

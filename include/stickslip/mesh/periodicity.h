@@ -81,13 +81,6 @@ namespace stickslip
     }
   };
 
-  /// Where the faces of @p boundary are on the coarse mesh: the mean of their
-  /// centres.
-  template <int dim>
-  Point<dim>
-  mean_of_faces(const Triangulation<dim> &coarse_mesh,
-                const types::boundary_id  boundary);
-
   /**
    * The motion between the boundaries of @p request, which have the ids
    * @p first and @p second, from where they are on the coarse mesh. Throws

@@ -41,12 +41,10 @@ namespace stickslip
     void
     hold_rotation(const Tensor<1, 3> &axis);
 
-    /// The motion at @p second is that at @p first, turned by @p Q, and so it is
-    /// for what is fixed to these places.
+    /// Displacements at the image of a place, wherever that is, are those at
+    /// the place, turned.
     void
-    tie(const Point<dim>     &first,
-        const Point<dim>     &second,
-        const Tensor<2, dim> &Q);
+    tie(const PeriodicMotion &motion);
 
     /// Sums over the ranks what they hold. Collective.
     void

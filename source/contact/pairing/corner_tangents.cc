@@ -71,7 +71,7 @@ namespace stickslip
 
     /// The nodal frames of the friction multipliers are not to turn with the
     /// direction, which was @p before: those of nodes that hang on each other
-    /// or are periodic have to agree.
+    /// have to agree.
     void
     keep_nodal_frames(const FaceShape<3>               &shape,
                       const std::vector<MortarFace<3>> &faces,

@@ -56,8 +56,8 @@ namespace stickslip
         marks[p].update_ghost_values();
       }
 
-    // All nodes in sight: those of owned slave faces, and those that a periodic
-    // or hanging node of such a face is constrained to.
+    // All nodes in sight: those of owned slave faces, and those that a hanging
+    // node of such a face is constrained to.
     relevant  = owned;
     all_nodes = nodes;
     first_dofs.resize(keys.size());

@@ -1,5 +1,6 @@
 #include <stickslip/contact/surface/periodic_images.h>
 
+#include <stickslip/base/in_space.h>
 #include <stickslip/base/user_error.h>
 
 #include <deal.II/base/mpi.h>
@@ -20,18 +21,6 @@ namespace stickslip
 
     /// Periods to each side of a shift.
     constexpr int n_periods = 5;
-
-
-
-    template <int dim>
-    Tensor<1, 3>
-    in_space(const Tensor<1, dim> &x)
-    {
-      Tensor<1, 3> result;
-      for (unsigned int d = 0; d < dim; ++d)
-        result[d] = x[d];
-      return result;
-    }
 
 
 

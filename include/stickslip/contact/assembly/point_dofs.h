@@ -10,10 +10,8 @@
 
 namespace stickslip
 {
-  /// Global dofs of a point: slave nodes, master stencil, multipliers, which
-  /// are
-  /// numbered behind the @p n_displacements. A mortar node has only its own
-  /// multipliers.
+  /// Global dofs of a point: slave nodes, master stencil, multipliers (from
+  /// @p n_displacements on). A mortar node has only its own multipliers.
   template <int dim>
   std::vector<types::global_dof_index>
   point_dofs(const ContactPair<dim>       &pair,
@@ -34,6 +32,7 @@ namespace stickslip
   turn_images_back(const ContactPair<dim>  &pair,
                    const ContactPoint<dim> &point,
                    FullMatrix<double>      &local);
+
   /// Where a point meets two images of one node, its dofs are there twice: sums
   /// up their rows and columns, so that each is there once.
   template <int dim>

@@ -12,9 +12,10 @@ namespace stickslip
 {
   /**
    * Slave nodes without contact (first displacement dofs, of images those of
-   * their originals), among the locally relevant ones: the nodes on @p boundary, and those at the points
-   * "x,y; x,y" of @p points_text. Throws UserError naming @p points_path (same
-   * on all ranks) if a point is none or meets no slave node. Collective.
+   * their originals), among the locally relevant ones: the nodes on
+   * @p boundary, and those at the points "x,y; x,y" of @p points_text. Throws
+   * UserError naming @p points_path (same on all ranks) if a point is none or
+   * meets no slave node. Collective.
    */
   template <int dim>
   std::set<types::global_dof_index>

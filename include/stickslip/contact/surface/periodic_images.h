@@ -21,15 +21,13 @@ namespace stickslip
    * onto itself, and the nodes that are images of others.
    *
    * The motions of the boundaries, where they differ, generate them all: up to
-   * two periods to each side of a shift, all sectors of a rotation. Image 0 is
+   * five periods to each side of a shift, all sectors of a rotation. Image 0 is
    * what the mesh has. Without periodic boundaries there is no other.
    */
   template <int dim>
   class PeriodicImages
   {
   public:
-    PeriodicImages() = default;
-
     /// @p communicator is that of all ranks of the model.
     PeriodicImages(const std::vector<PeriodicBoundary> &boundaries,
                    const PeriodicNodes<dim>            &periodic_nodes,
