@@ -78,6 +78,9 @@ namespace stickslip
                 std::make_unique<LinearSpace<dim>>(dofs, communicator);
             linear_space->update(constraints);
             description.prolongation = linear_space->prolongation();
+            if (description.nodes.bodies.empty())
+              description.nodes =
+                node_places(dofs.mapping, dofs.dof_handler, bodies);
           }
         description.near_null_space = std::make_shared<const NearNullSpace>(
           rigid_modes(dofs.mapping,

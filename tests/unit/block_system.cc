@@ -84,7 +84,9 @@ namespace
     unsigned int row = 0;
     for (const auto i : owned)
       {
-        if (body == all_bodies || body == space.bodies[row])
+        if (body == all_bodies ||
+            body == space.nodes.bodies[row * space.nodes.bodies.size() /
+                                       owned.n_elements()])
           vector(i) = space.values[m * owned.n_elements() + row];
         ++row;
       }

@@ -57,7 +57,7 @@ namespace
     for (unsigned int k = 0; k < n_owned; ++k)
       {
         sizes.push_back(size_of(first + k));
-        modes.bodies.push_back((first + k) / 5);
+        modes.nodes.bodies.push_back((first + k) / 5);
         for (unsigned int i = 0; i < sizes.back(); ++i)
           modes.values.push_back(mode(first + k, i));
       }
@@ -70,13 +70,13 @@ namespace
     print("all are still there",
           nodes.n_global() == n_global &&
             nodes.owned_unknowns().size() == n_unknowns);
-    bool are_the_same = modes.bodies.size() == nodes.n_owned() &&
+    bool are_the_same = modes.nodes.bodies.size() == nodes.n_owned() &&
                         modes.values.size() == nodes.n_owned_unknowns();
     for (unsigned int node = 0; are_the_same && node < nodes.n_owned(); ++node)
       {
         const auto global = nodes.global(node);
         are_the_same      = nodes.size(node) == size_of(global) &&
-                       modes.bodies[node] == global / 5;
+                       modes.nodes.bodies[node] == global / 5;
         for (unsigned int i = 0; i < nodes.size(node) && are_the_same; ++i)
           are_the_same = modes.values[nodes.begin(node) + i] == mode(global, i);
       }
@@ -109,6 +109,7 @@ namespace
                                 nodes),
                     {},
                     {},
+                    lattice.modes().nodes,
                     lattice.modes());
     }
 

@@ -22,7 +22,9 @@ namespace
    * A lattice of n x n x 2n nodes at distance 1, with central springs between
    * neighbours (edges, and diagonals of faces and of the cubes): an elastic
    * body. All springs across the middle are weaker by @p coupling, and so are
-   * those of the upper half by @p contrast. The lowest layer is held.
+   * those of the upper half by @p contrast. The lowest layer is held. With
+   * @p stretch distances in the plane are larger, and springs are weaker by the
+   * square of their lengths.
    */
   class Lattice
   {
@@ -30,8 +32,10 @@ namespace
     Lattice(const unsigned int n,
             const double       coupling,
             const double       contrast,
-            const MPI_Comm     communicator = MPI_COMM_WORLD)
+            const MPI_Comm     communicator = MPI_COMM_WORLD,
+            const double       stretch      = 1.)
       : n(n)
+      , stretch(stretch)
     {
       const unsigned int n_nodes = 2 * n * n * n;
       const unsigned int n_ranks =
@@ -56,11 +60,11 @@ namespace
       pattern.compress();
       matrix.reinit(pattern);
       visit_springs(
-        begin, end, [&](const auto i, const auto j, const auto &direction) {
+        begin, end, [&](const auto i, const auto j, const auto &step) {
           const bool   upper_i = height(i) >= n, upper_j = height(j) >= n;
           const double stiffness =
             upper_i != upper_j ? coupling : (upper_i ? contrast : 1.);
-          add_spring(i, j, stiffness, direction);
+          add_spring(i, j, stiffness, step);
         });
       matrix.compress(VectorOperation::add);
 
@@ -69,14 +73,15 @@ namespace
       modes->n_vectors         = 6;
       modes->values.assign(6 * owned.n_elements(), 0.);
       for (unsigned int i = begin; i < end; ++i)
-        for (unsigned int c = 0; c < 3; ++c)
-          {
-            modes->bodies.push_back(body(i));
+        {
+          modes->nodes.bodies.push_back(body(i));
+          for (unsigned int c = 0; c < 3; ++c)
             for (unsigned int m = 0; m < 6 && height(i) > 0; ++m)
               modes->values[m * owned.n_elements() +
                             owned.index_within_set(3 * i + c)] =
-                rigid_mode<3>(m, position(i) / n)[c];
-          }
+                rigid_mode<3>(m, stretched(i) / n)[c];
+          modes->nodes.positions.push_back(stretched(i));
+        }
       description.near_null_space = modes;
     }
 
@@ -103,12 +108,12 @@ namespace
       for (unsigned int i = 0; i < n_owned; ++i)
         for (unsigned int m = 0; m < given.n_vectors; ++m)
           result.values.push_back(given.values[m * n_owned + i]);
-      for (unsigned int i = 0; i < n_owned; i += 3)
-        result.bodies.push_back(given.bodies[i]);
+      result.nodes = given.nodes;
       return result;
     }
 
     const unsigned int     n;
+    const double           stretch;
     IndexSet               owned;
     LA::SparseMatrix       matrix;
     BlockSystemDescription description;
@@ -118,6 +123,13 @@ namespace
     position(const unsigned int node) const
     {
       return Point<3>(node % n, node / n % n, height(node));
+    }
+
+    Point<3>
+    stretched(const unsigned int node) const
+    {
+      const Point<3> place = position(node);
+      return Point<3>(stretch * place[0], stretch * place[1], place[2]);
     }
 
     /// All neighbours of owned nodes.
@@ -141,7 +153,7 @@ namespace
               visit(i,
                     static_cast<unsigned int>(
                       neighbour[0] + n * (neighbour[1] + n * neighbour[2])),
-                    step / step.norm());
+                    step);
           }
     }
 
@@ -149,12 +161,18 @@ namespace
     add_spring(const unsigned int  i,
                const unsigned int  j,
                const double        stiffness,
-               const Tensor<1, 3> &direction)
+               const Tensor<1, 3> &step)
     {
+      Tensor<1, 3> direction = step;
+      direction[0] *= stretch;
+      direction[1] *= stretch;
+      const double weight =
+        stiffness * step.norm_square() / direction.norm_square();
+      direction /= direction.norm();
       for (unsigned int c = 0; c < 3; ++c)
         for (unsigned int d = 0; d < 3; ++d)
           {
-            const double value = stiffness * direction[c] * direction[d];
+            const double value = weight * direction[c] * direction[d];
             if (height(i) == 0) // held
               matrix.add(3 * i + c, 3 * i + d, c == d ? 1. : 0.);
             else

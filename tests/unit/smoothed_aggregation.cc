@@ -58,6 +58,12 @@ namespace
                 "with 8 times as many unknowns",
               fine <= 14 && fine <= coarse + 4);
       }
+    for (const auto &[stretch, limit] : {std::make_pair(4., 20u), {8., 30u}})
+      print("stretched " + std::to_string(int(stretch)) +
+              " times in the plane: at most " + std::to_string(limit) +
+              " iterations",
+            n_cg_iterations(Lattice(12, 1., 1., MPI_COMM_WORLD, stretch)) <=
+              limit);
   }
 
 
@@ -101,9 +107,10 @@ namespace
     BlockMatrix      A(read_square_blocks(lattice.matrix, 3), nodes, nodes);
     const NodeSpace &space = A.column_space();
 
-    const Modes modes      = lattice.modes();
-    const auto  aggregates = find_aggregates(A, modes.bodies);
-    const auto  tentative  = tentative_prolongation(space, aggregates, modes);
+    const Modes modes = lattice.modes();
+    const auto  aggregates =
+      find_aggregates(A, single_nodes(A.n_rows()), modes.nodes.bodies);
+    const auto tentative = tentative_prolongation(space, aggregates, modes);
 
     bool all_are_in = true, is_in_one_body = true;
     for (unsigned int node = 0; node < space.n_owned(); ++node)
@@ -114,7 +121,7 @@ namespace
           all_are_in && (aggregate == Aggregates::none) == (height == 0);
         is_in_one_body =
           is_in_one_body &&
-          (height == 0 || tentative.coarse_modes.bodies[aggregate] ==
+          (height == 0 || tentative.coarse_modes.nodes.bodies[aggregate] ==
                             lattice.body(space.global(node)));
       }
     bool has_six_columns = true;
@@ -143,7 +150,7 @@ namespace
     print("all modes are represented", error < 1e-12);
 
     BlockGaussSeidel smoother;
-    smoother.reinit(A);
+    smoother.reinit(A, single_nodes(A.n_rows()));
     auto P_rows =
       smoothed_prolongation(A, smoother, tentative.rows, tentative.coarse);
     const BlockMatrix  product(galerkin_product(A, P_rows, tentative.coarse),
@@ -224,7 +231,7 @@ namespace
       value = float(value);
     BlockMatrix      A(std::move(rows), nodes, nodes);
     BlockGaussSeidel smoother;
-    smoother.reinit(A);
+    smoother.reinit(A, single_nodes(A.n_rows()));
     const NodeSpace    &space = A.column_space();
     const unsigned int  n     = space.n_owned_unknowns();
     std::vector<double> u, residual, again(n), b = vector_of(space);

@@ -3,19 +3,30 @@
 
 #include <stickslip/base/types.h>
 
+#include <deal.II/base/point.h>
+
 #include <functional>
 #include <memory>
 #include <vector>
 
 namespace stickslip
 {
+  /// Where the owned nodes of a space are.
+  struct NodePlaces
+  {
+    std::vector<unsigned int> bodies;
+    std::vector<Point<3>>     positions; ///< undeformed; in the plane z is 0
+  };
+
+
+
   /// Vectors that the rows of a matrix hardly see, which the coarse levels of a
   /// multigrid method have to represent in each body by itself.
   struct NearNullSpace
   {
-    unsigned int              n_vectors = 0;
-    std::vector<double>       values; ///< [vector * n owned rows + owned row]
-    std::vector<unsigned int> bodies; ///< of the owned rows
+    unsigned int        n_vectors = 0;
+    std::vector<double> values; ///< [vector * n owned rows + owned row]
+    NodePlaces          nodes;
   };
 
 
@@ -42,6 +53,10 @@ namespace stickslip
     /// From linear elements to the displacements; null if these are linear. A
     /// constrained dof at a vertex has one entry, 1, in a column of its own.
     std::shared_ptr<const LA::SparseMatrix> prolongation;
+
+    /// Of the displacements, if there is a prolongation; those of
+    /// near_null_space are of the linear elements then.
+    NodePlaces nodes;
 
     /**
      * By multiplier: diagonal D [inverse of stiffness, times the square of the

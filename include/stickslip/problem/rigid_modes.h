@@ -11,6 +11,16 @@
 
 namespace stickslip
 {
+  /// Of the nodes of @p dof_handler (FE_Q^dim, all components of a node one
+  /// after the other).
+  template <int dim>
+  NodePlaces
+  node_places(const hp::MappingCollection<dim> &mapping,
+              const DoFHandler<dim>            &dof_handler,
+              const Bodies                     &bodies);
+
+
+
   /**
    * Nodal vectors of @p dof_handler (FE_Q^dim): the rigid motions (3 in 2D, 6
    * in 3D; rotations about the centre of the model and scaled with its size).

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace stickslip
 {
@@ -14,49 +15,68 @@ namespace stickslip
 
 
 
-    /// What an aggregate may be made of: the couplings within a rank and a
-    /// body.
+    /// What an aggregate may be made of: the couplings of clusters within a
+    /// rank and a body.
     class Neighbourhoods
     {
     public:
       Neighbourhoods(const BlockMatrix               &matrix,
+                     const NodeClusters              &clusters,
                      const std::vector<unsigned int> &bodies)
-        : matrix(matrix)
-        , bodies(bodies)
       {
         AssertDimension(bodies.size(), matrix.n_rows());
+        // the last one that a cluster has been found beside
+        std::vector<unsigned int> seen_from(clusters.n(), Aggregates::none);
+        for (unsigned int cluster = 0; cluster < clusters.n(); ++cluster)
+          {
+            bool is_alone = true;
+            for (const unsigned int node : clusters.nodes(cluster))
+              for (auto k = matrix.column_begin(node);
+                   k < matrix.column_begin(node + 1);
+                   ++k)
+                {
+                  const unsigned int other = matrix.column(k);
+                  is_alone                 = is_alone && other == node;
+                  if (other >= matrix.n_rows() ||
+                      bodies[other] != bodies[node] ||
+                      clusters.of_node[other] == cluster)
+                    continue;
+                  unsigned int &last = seen_from[clusters.of_node[other]];
+                  if (last != cluster)
+                    neighbours.push_back(clusters.of_node[other]);
+                  last = cluster;
+                }
+            coupled.push_back(!is_alone);
+            begins.push_back(neighbours.size());
+          }
+      }
+
+      unsigned int
+      n() const
+      {
+        return coupled.size();
       }
 
       template <typename Visitor>
       void
-      visit(const unsigned int node, const Visitor &visitor) const
+      visit(const unsigned int cluster, const Visitor &visitor) const
       {
-        for (auto k = matrix.column_begin(node);
-             k < matrix.column_begin(node + 1);
-             ++k)
-          {
-            const unsigned int other = matrix.column(k);
-            if (other != node && other < matrix.n_rows() &&
-                bodies[other] == bodies[node])
-              visitor(other);
-          }
+        for (auto k = begins[cluster]; k < begins[cluster + 1]; ++k)
+          visitor(neighbours[k]);
       }
 
-      /// Whether a node is coupled with any other, of whatever rank and body.
+      /// Whether a cluster has more than a node without couplings, to whatever
+      /// rank and body.
       bool
-      is_coupled(const unsigned int node) const
+      is_coupled(const unsigned int cluster) const
       {
-        for (auto k = matrix.column_begin(node);
-             k < matrix.column_begin(node + 1);
-             ++k)
-          if (matrix.column(k) != node)
-            return true;
-        return false;
+        return coupled[cluster];
       }
 
     private:
-      const BlockMatrix               &matrix;
-      const std::vector<unsigned int> &bodies;
+      std::vector<std::size_t>  begins{0};
+      std::vector<unsigned int> neighbours;
+      std::vector<bool>         coupled;
     };
 
 
@@ -133,6 +153,23 @@ namespace stickslip
 
 
 
+    /// Appends the place of an aggregate of @p nodes.
+    void
+    add_place(const std::vector<unsigned int> &nodes,
+              const NodePlaces                &fine,
+              NodePlaces                      &coarse)
+    {
+      coarse.bodies.push_back(fine.bodies[nodes.front()]);
+      if (fine.positions.empty())
+        return;
+      Point<3> sum;
+      for (const unsigned int node : nodes)
+        sum += fine.positions[node];
+      coarse.positions.push_back(sum / static_cast<double>(nodes.size()));
+    }
+
+
+
     double
     product(const std::vector<double> &a, const std::vector<double> &b)
     {
@@ -181,14 +218,19 @@ namespace stickslip
 
   Aggregates
   find_aggregates(const BlockMatrix               &matrix,
+                  const NodeClusters              &clusters,
                   const std::vector<unsigned int> &bodies)
   {
-    const Neighbourhoods neighbourhoods(matrix, bodies);
-    Aggregates           aggregates;
-    aggregates.of_node.assign(matrix.n_rows(), Aggregates::none);
+    const Neighbourhoods neighbourhoods(matrix, clusters, bodies);
+    Aggregates           aggregates; // of clusters, first
+    aggregates.of_node.assign(neighbourhoods.n(), Aggregates::none);
     aggregate_free_neighbourhoods(neighbourhoods, aggregates);
     join_neighbours(neighbourhoods, aggregates);
     aggregate_rest(neighbourhoods, aggregates);
+    std::vector<unsigned int> of_node;
+    for (const unsigned int cluster : clusters.of_node)
+      of_node.push_back(aggregates.of_node[cluster]);
+    aggregates.of_node = std::move(of_node);
     return aggregates;
   }
 
@@ -223,7 +265,7 @@ namespace stickslip
           }
         orthonormalize(columns, Q, R);
         ranks[a] = Q.size();
-        result.coarse_modes.bodies.push_back(modes.bodies[nodes[a].front()]);
+        add_place(nodes[a], modes.nodes, result.coarse_modes.nodes);
         for (const auto &row : R)
           result.coarse_modes.values.insert(result.coarse_modes.values.end(),
                                             row.begin(),

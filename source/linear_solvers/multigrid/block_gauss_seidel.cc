@@ -4,50 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace stickslip
 {
   namespace
   {
-    /// Pivots below this share of their diagonal entry are zero.
-    constexpr double zero_pivot = 1e-12;
-
     constexpr unsigned int n_power_steps = 10;
 
     /// Some ten microseconds of work, beside which a call of MPI is nothing.
     constexpr unsigned int nodes_between_calls = 64;
-
-
-
-    /// Gauss-Jordan in place; without pivoting, as the blocks are definite.
-    void
-    invert(double *const a, const unsigned int n)
-    {
-      std::vector<double> diagonal(n);
-      for (unsigned int k = 0; k < n; ++k)
-        diagonal[k] = a[k * n + k];
-      for (unsigned int k = 0; k < n; ++k)
-        {
-          const double pivot = a[k * n + k];
-          if (std::abs(pivot) <= zero_pivot * std::abs(diagonal[k]))
-            {
-              for (unsigned int i = 0; i < n; ++i)
-                a[k * n + i] = a[i * n + k] = 0.;
-              continue;
-            }
-          a[k * n + k] = 1.;
-          for (unsigned int j = 0; j < n; ++j)
-            a[k * n + j] /= pivot;
-          for (unsigned int i = 0; i < n; ++i)
-            if (i != k)
-              {
-                const double factor = a[i * n + k];
-                a[i * n + k]        = 0.;
-                for (unsigned int j = 0; j < n; ++j)
-                  a[i * n + j] -= factor * a[k * n + j];
-              }
-        }
-    }
   } // namespace
 
 
@@ -55,132 +21,106 @@ namespace stickslip
   void
   BlockGaussSeidel::set_order(const BlockMatrix &A)
   {
-    std::vector<bool> is_first(space.n_owned(), false);
+    std::vector<bool> is_first(clusters.n(), false);
     for (const auto &[rank, nodes] : space.seen_elsewhere())
       for (const auto node : nodes)
-        is_first[space.local(node)] = true;
+        is_first[clusters.of_node[space.local(node)]] = true;
     // mostly the same ones
     for (unsigned int row = 0; row < A.n_rows(); ++row)
       for (auto k = A.column_begin(row); k < A.column_begin(row + 1); ++k)
         if (A.column(k) >= space.n_owned())
-          is_first[row] = true;
+          is_first[clusters.of_node[row]] = true;
     order.clear();
-    for (unsigned int node = 0; node < space.n_owned(); ++node)
-      if (is_first[node])
-        order.push_back(node);
+    for (unsigned int cluster = 0; cluster < clusters.n(); ++cluster)
+      if (is_first[cluster])
+        order.push_back(cluster);
     n_first = order.size();
-    for (unsigned int node = 0; node < space.n_owned(); ++node)
-      if (!is_first[node])
-        order.push_back(node);
+    for (unsigned int cluster = 0; cluster < clusters.n(); ++cluster)
+      if (!is_first[cluster])
+        order.push_back(cluster);
   }
 
 
 
   void
-  BlockGaussSeidel::reinit(BlockMatrix &A)
+  BlockGaussSeidel::reinit(BlockMatrix &A, NodeClusters &&of_nodes)
   {
-    space = A.column_space();
+    space    = A.column_space();
+    clusters = std::move(of_nodes);
     set_order(A);
     exchange.reinit(space);
     std::vector<unsigned int> place(space.n_local());
     for (unsigned int k = 0; k < order.size(); ++k)
-      place[order[k]] = k + 1;
+      for (const unsigned int node : clusters.nodes(order[k]))
+        place[node] = k + 1;
     for (unsigned int node = space.n_owned(); node < space.n_local(); ++node)
       place[node] = exchange.is_earlier(space.rank_of(space.global(node)))
                       ? 0
                       : order.size() + 1;
     A.sort_columns(place);
-    copy_triangles(A, invert_diagonal(A));
-  }
-
-
-
-  std::vector<std::size_t>
-  BlockGaussSeidel::invert_diagonal(const BlockMatrix &A)
-  {
-    const unsigned int n = A.n_rows();
-    inverse_begins.assign(1, 0);
-    std::vector<std::size_t> diagonals(n);
-    lower_residual.resize(A.row_begin(n));
-    unsigned int highest = 0;
-    for (unsigned int node = 0; node < n; ++node)
-      {
-        const unsigned int size = A.height(node);
-        highest                 = std::max(highest, size);
-        inverse_begins.push_back(inverse_begins.back() + size * size);
-      }
-    inverses.assign(inverse_begins.back(), 0.);
-    for (unsigned int node = 0; node < n; ++node)
-      {
-        const unsigned int size   = A.height(node);
-        unsigned int       offset = 0;
-        std::size_t        k      = A.column_begin(node);
-        while (k < A.column_begin(node + 1) && A.column(k) != node)
-          offset += A.block_width(k++);
-        diagonals[node] = k;
-        AssertThrow(k < A.column_begin(node + 1),
-                    ExcMessage("A diagonal block is zero."));
-        double *const block = inverses.data() + inverse_begins[node];
-        for (unsigned int r = 0; r < size; ++r)
-          std::copy_n(A.panel(node) + r * A.width(node) + offset,
-                      size,
-                      block + r * size);
-        invert(block, size);
-      }
-    defect.resize(highest);
-    return diagonals;
+    diagonal.reinit(A, clusters);
+    lower_residual.resize(A.row_begin(A.n_rows()));
+    defect.resize(diagonal.largest_size());
+    product.resize(diagonal.largest_size());
+    copy_triangles(A);
   }
 
 
 
   void
-  BlockGaussSeidel::copy_triangles(const BlockMatrix              &A,
-                                   const std::vector<std::size_t> &diagonals)
+  BlockGaussSeidel::copy_triangles(const BlockMatrix &A)
   {
     CycleMatrix::Part below, above;
     for (unsigned int node = 0; node < A.n_rows(); ++node)
       {
-        below.begin.push_back(A.column_begin(node));
-        below.end.push_back(diagonals[node]);
-        above.begin.push_back(diagonals[node] + 1);
+        // the columns are sorted
+        const unsigned int cluster = clusters.of_node[node];
+        std::size_t        k       = A.column_begin(node);
+        below.begin.push_back(k);
+        while (!clusters.has(cluster, A.column(k)))
+          ++k;
+        below.end.push_back(k);
+        while (k < A.column_begin(node + 1) &&
+               clusters.has(cluster, A.column(k)))
+          ++k;
+        above.begin.push_back(k);
         above.end.push_back(A.column_begin(node + 1));
       }
-    lower = CycleMatrix(A, below, order);
-    upper = CycleMatrix(A, above, {order.rbegin(), order.rend()});
+    std::vector<unsigned int> nodes;
+    for (const unsigned int cluster : order)
+      for (const unsigned int node : clusters.nodes(cluster))
+        nodes.push_back(node);
+    lower = CycleMatrix(A, below, nodes);
+    upper = CycleMatrix(A, above, {nodes.rbegin(), nodes.rend()});
   }
 
 
 
   void
-  BlockGaussSeidel::scale(const unsigned int node,
-                          const unsigned int n,
-                          double            *y) const
+  BlockGaussSeidel::scale(const unsigned int cluster, double *y) const
   {
-    const double *const block = inverse(node);
-    std::copy_n(y, n, defect.begin());
-    for (unsigned int r = 0; r < n; ++r)
-      {
-        y[r] = 0.;
-        for (unsigned int c = 0; c < n; ++c)
-          y[r] += block[r * n + c] * defect[c];
-      }
+    std::copy_n(y, diagonal.size(cluster), defect.begin());
+    diagonal.solve(cluster, defect, y);
   }
 
 
 
   void
-  BlockGaussSeidel::set_from_defect(const unsigned int   node,
+  BlockGaussSeidel::set_from_defect(const unsigned int   cluster,
                                     std::vector<double> &x) const
   {
-    const double      *block  = inverse(node);
-    const unsigned int n      = space.size(node);
-    double *const      values = x.data() + space.begin(node);
-    for (unsigned int r = 0; r < n; ++r, block += n)
+    const auto nodes = clusters.nodes(cluster);
+    if (nodes.size() == 1)
       {
-        double sum = 0.;
-        for (unsigned int c = 0; c < n; ++c)
-          sum += block[c] * defect[c];
-        values[r] = sum;
+        diagonal.solve(cluster, defect, x.data() + space.begin(nodes[0]));
+        return;
+      }
+    diagonal.solve(cluster, defect, product.data());
+    const double *value = product.data();
+    for (const unsigned int node : nodes)
+      {
+        std::copy_n(value, space.size(node), x.begin() + space.begin(node));
+        value += space.size(node);
       }
   }
 
@@ -224,14 +164,18 @@ namespace stickslip
                                    const double *const        upper_part) const
   {
     std::copy_n(b.begin(), lower_residual.size(), lower_residual.begin());
-    const auto relax = [&](const unsigned int node) {
-      const unsigned int begin = space.begin(node);
-      double *const      rest  = lower_residual.data() + begin;
-      lower.add_product(node, -1., x, rest);
-      for (unsigned int c = 0; c < space.size(node); ++c)
-        defect[c] =
-          upper_part == nullptr ? rest[c] : rest[c] - upper_part[begin + c];
-      set_from_defect(node, x);
+    const auto relax = [&](const unsigned int cluster) {
+      double *value = defect.data();
+      for (const unsigned int node : clusters.nodes(cluster))
+        {
+          const unsigned int begin = space.begin(node);
+          double *const      rest  = lower_residual.data() + begin;
+          lower.add_product(node, -1., x, rest);
+          for (unsigned int c = 0; c < space.size(node); ++c)
+            *value++ =
+              upper_part == nullptr ? rest[c] : rest[c] - upper_part[begin + c];
+        }
+      set_from_defect(cluster, x);
     };
     exchange.receive(x, OrderedExchange::Neighbours::earlier);
     visit_forwards(0, n_first, relax);
@@ -244,12 +188,20 @@ namespace stickslip
   void
   BlockGaussSeidel::sweep_backwards(std::vector<double> &x) const
   {
-    const auto relax = [&](const unsigned int node) {
-      std::copy_n(lower_residual.begin() + space.begin(node),
-                  space.size(node),
-                  defect.begin());
-      upper.add_product(node, -1., x, defect.data());
-      set_from_defect(node, x);
+    const auto relax = [&](const unsigned int cluster) {
+      // against the order of the matrix, as its rows are stored
+      const auto nodes = clusters.nodes(cluster);
+      double    *value = defect.data() + diagonal.size(cluster);
+      for (std::size_t k = nodes.size(); k-- > 0;)
+        {
+          const unsigned int node = nodes[k];
+          value -= space.size(node);
+          std::copy_n(lower_residual.begin() + space.begin(node),
+                      space.size(node),
+                      value);
+          upper.add_product(node, -1., x, value);
+        }
+      set_from_defect(cluster, x);
     };
     visit_backwards(n_first, order.size(), relax);
     exchange.receive(x, OrderedExchange::Neighbours::later);
@@ -272,8 +224,9 @@ namespace stickslip
     residual.resize(lower_residual.size());
     for (unsigned int i = 0; i < residual.size(); ++i)
       residual[i] = b[i] - lower_residual[i];
-    visit_forwards(0, order.size(), [&](const unsigned int node) {
-      lower.add_product(node, -1., x, residual.data() + space.begin(node));
+    visit_forwards(0, order.size(), [&](const unsigned int cluster) {
+      for (const unsigned int node : clusters.nodes(cluster))
+        lower.add_product(node, -1., x, residual.data() + space.begin(node));
     });
   }
 
@@ -288,8 +241,13 @@ namespace stickslip
     exchange.receive(x, OrderedExchange::Neighbours::later);
     // U x before the sweep, which would read U against its order
     upper_part.assign(lower_residual.size(), 0.);
-    visit_backwards(0, order.size(), [&](const unsigned int node) {
-      upper.add_product(node, 1., x, upper_part.data() + space.begin(node));
+    visit_backwards(0, order.size(), [&](const unsigned int cluster) {
+      const auto nodes = clusters.nodes(cluster);
+      for (std::size_t n = nodes.size(); n-- > 0;)
+        upper.add_product(nodes[n],
+                          1.,
+                          x,
+                          upper_part.data() + space.begin(nodes[n]));
     });
     sweep_forwards(x, b, upper_part.data());
     sweep_backwards(x);
@@ -310,13 +268,25 @@ namespace stickslip
     for (unsigned int step = 0; step < n_power_steps; ++step)
       {
         space.update_ghosts(x);
-        std::fill(y.begin(), y.end(), 0.);
-        for (const unsigned int node : order)
-          lower.add_product(node, 1., x, y.data() + space.begin(node));
-        for (auto node = order.rbegin(); node != order.rend(); ++node)
+        for (const unsigned int cluster : order)
           {
-            upper.add_product(*node, 1., x, y.data() + space.begin(*node));
-            scale(*node, space.size(*node), y.data() + space.begin(*node));
+            double *value = product.data();
+            for (const unsigned int node : clusters.nodes(cluster))
+              {
+                std::fill_n(value, space.size(node), 0.);
+                lower.add_product(node, 1., x, value);
+                upper.add_product(node, 1., x, value);
+                value += space.size(node);
+              }
+            scale(cluster, product.data());
+            value = product.data();
+            for (const unsigned int node : clusters.nodes(cluster))
+              {
+                std::copy_n(value,
+                            space.size(node),
+                            y.begin() + space.begin(node));
+                value += space.size(node);
+              }
           }
         std::vector<double> squares(2, 0.); // before and after
         for (unsigned int i = 0; i < n; ++i)

@@ -15,19 +15,16 @@ namespace stickslip
   namespace
   {
     Modes
-    modes_of(const NearNullSpace &space,
-             const unsigned int   n_unknowns,
-             const unsigned int   n_components)
+    modes_of(const NearNullSpace &space, const unsigned int n_unknowns)
     {
       Modes modes;
       modes.n_vectors = space.n_vectors;
+      modes.nodes     = space.nodes;
       modes.values.resize(space.values.size());
       for (unsigned int v = 0; v < space.n_vectors; ++v)
         for (unsigned int i = 0; i < n_unknowns; ++i)
           modes.values[i * space.n_vectors + v] =
             space.values[v * n_unknowns + i];
-      for (unsigned int i = 0; i < n_unknowns; i += n_components)
-        modes.bodies.push_back(space.bodies[i]);
       return modes;
     }
   } // namespace
@@ -60,12 +57,13 @@ namespace stickslip
         const unsigned int n_unknowns = description.prolongation
                                           ? linear_nodes.n_owned_unknowns()
                                           : nodes.n_owned_unknowns();
-        hierarchy.reinit(BlockMatrix(read_square_blocks(matrix, n, added),
-                                     nodes,
-                                     nodes),
-                         std::move(prolongation),
-                         std::move(linear_nodes),
-                         modes_of(*description.near_null_space, n_unknowns, n));
+        hierarchy.reinit(
+          BlockMatrix(read_square_blocks(matrix, n, added), nodes, nodes),
+          std::move(prolongation),
+          std::move(linear_nodes),
+          description.prolongation ? description.nodes
+                                   : description.near_null_space->nodes,
+          modes_of(*description.near_null_space, n_unknowns));
       }
     catch (const std::exception &error)
       {

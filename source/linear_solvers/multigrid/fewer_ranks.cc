@@ -23,6 +23,7 @@ namespace stickslip
     struct Part
     {
       std::vector<unsigned int> sizes, bodies;
+      std::vector<Point<3>>     positions;
       std::vector<double>       modes;
 
       void
@@ -30,6 +31,9 @@ namespace stickslip
       {
         sizes.insert(sizes.end(), other.sizes.begin(), other.sizes.end());
         bodies.insert(bodies.end(), other.bodies.begin(), other.bodies.end());
+        positions.insert(positions.end(),
+                         other.positions.begin(),
+                         other.positions.end());
         modes.insert(modes.end(), other.modes.begin(), other.modes.end());
       }
 
@@ -38,7 +42,7 @@ namespace stickslip
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &sizes &bodies &modes;
+        archive &sizes &bodies &positions &modes;
       }
     };
 
@@ -78,8 +82,9 @@ namespace stickslip
     Part part;
     for (unsigned int node = 0; node < nodes.n_owned(); ++node)
       part.sizes.push_back(nodes.size(node));
-    part.bodies = std::move(modes.bodies);
-    part.modes  = std::move(modes.values);
+    part.bodies    = std::move(modes.nodes.bodies);
+    part.positions = std::move(modes.nodes.positions);
+    part.modes     = std::move(modes.values);
 
     const MPI_Comm communicator = nodes.communicator();
     const Index    stretch      = (nodes.n_global() + n_groups - 1) / n_groups;
@@ -94,8 +99,9 @@ namespace stickslip
     for (const auto &[rank, received] :
          Utilities::MPI::some_to_some(communicator, sent))
       part.append(received);
-    nodes        = NodeSpace(part.sizes, communicator);
-    modes.bodies = std::move(part.bodies);
-    modes.values = std::move(part.modes);
+    nodes                 = NodeSpace(part.sizes, communicator);
+    modes.nodes.bodies    = std::move(part.bodies);
+    modes.nodes.positions = std::move(part.positions);
+    modes.values          = std::move(part.modes);
   }
 } // namespace stickslip

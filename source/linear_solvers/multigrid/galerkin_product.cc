@@ -124,6 +124,46 @@ namespace stickslip
           target += n;
         }
     }
+
+
+
+    /// Rows of nodes from those of their clusters.
+    BlockRows<float>
+    rows_of_nodes(const BlockRows<float> &of_clusters,
+                  const BlockMatrix      &A,
+                  const NodeClusters     &clusters)
+    {
+      std::vector<std::size_t> begins(A.n_rows());
+      for (unsigned int cluster = 0; cluster < clusters.n(); ++cluster)
+        {
+          std::size_t begin = of_clusters.value_begins[cluster];
+          for (const unsigned int node : clusters.nodes(cluster))
+            {
+              begins[node] = begin;
+              begin += A.height(node) * of_clusters.width(cluster);
+            }
+        }
+      BlockRows<float> rows;
+      for (unsigned int node = 0; node < A.n_rows(); ++node)
+        {
+          const unsigned int cluster = clusters.of_node[node];
+          const auto         begin   = of_clusters.column_begins[cluster],
+                     end             = of_clusters.column_begins[cluster + 1];
+          rows.columns.insert(rows.columns.end(),
+                              of_clusters.columns.begin() + begin,
+                              of_clusters.columns.begin() + end);
+          rows.widths.insert(rows.widths.end(),
+                             of_clusters.widths.begin() + begin,
+                             of_clusters.widths.begin() + end);
+          rows.end_row(A.height(node));
+        }
+      rows.allocate();
+      for (unsigned int node = 0; node < A.n_rows(); ++node)
+        std::copy_n(of_clusters.values.begin() + begins[node],
+                    rows.value_begins[node + 1] - rows.value_begins[node],
+                    rows.panel(node));
+      return rows;
+    }
   } // namespace
 
 
@@ -139,41 +179,51 @@ namespace stickslip
     const NodeSpace         space = seen_space(coarse, P0);
     const std::vector<unsigned int> columns = local_columns(P0, space);
     ProductRow                      product(space);
-    std::vector<double>             column(1);
-    BlockRows<float>                P;
-    for (unsigned int row = 0; row < A.n_rows(); ++row)
+    const NodeClusters             &clusters = smoother.node_clusters();
+
+    // a row for each cluster, whose nodes have the same columns
+    BlockRows<float>    of_clusters;
+    std::vector<double> column;
+    for (unsigned int cluster = 0; cluster < clusters.n(); ++cluster)
       {
-        product.compute(A, P0, columns, row);
-        const RowPattern &pattern = product.pattern;
-        auto             &values  = product.values;
-        for (const unsigned int node : pattern.nodes)
+        product.compute(A, P0, columns, clusters.nodes(cluster));
+        for (const unsigned int node : product.pattern.nodes)
           {
-            P.columns.push_back(space.global(node));
-            P.widths.push_back(space.size(node));
+            of_clusters.columns.push_back(space.global(node));
+            of_clusters.widths.push_back(space.size(node));
           }
-        const unsigned int height = A.height(row);
-        P.end_row(height);
-        P.allocate();
-        const unsigned int width = P.width(row);
+        const unsigned int width  = product.width;
+        auto              &values = product.values;
+        const unsigned int height = width > 0 ? values.size() / width : 0;
+        of_clusters.end_row(height);
+        of_clusters.allocate();
         column.resize(height);
         for (unsigned int c = 0; c < width; ++c)
           {
             for (unsigned int r = 0; r < height; ++r)
               column[r] = values[r * width + c];
-            smoother.scale(row, height, column.data());
+            smoother.scale(cluster, column.data());
             for (unsigned int r = 0; r < height; ++r)
               values[r * width + c] = -omega * column[r];
           }
-        // at most one block
-        for (auto l = P0.column_begins[row]; l < P0.column_begins[row + 1]; ++l)
-          for (unsigned int r = 0; r < height; ++r)
-            for (unsigned int c = 0; c < P0.widths[l]; ++c)
-              values[r * width + pattern.offset(columns[l]) + c] +=
-                P0.panel(row)[r * P0.widths[l] + c];
-        std::copy_n(values.begin(), height * width, P.panel(row));
+        double *sum = values.data();
+        for (const unsigned int node : clusters.nodes(cluster))
+          {
+            // at most one block
+            for (auto l = P0.column_begins[node];
+                 l < P0.column_begins[node + 1];
+                 ++l)
+              add_block(P0.panel(node),
+                        P0.widths[l],
+                        A.height(node),
+                        P0.widths[l],
+                        sum + product.pattern.offset(columns[l]),
+                        width);
+            sum += A.height(node) * width;
+          }
+        std::copy(values.begin(), values.end(), of_clusters.panel(cluster));
       }
-    P.values.shrink_to_fit();
-    return P;
+    return rows_of_nodes(of_clusters, A, clusters);
   }
 
 
@@ -191,7 +241,7 @@ namespace stickslip
     ProductRow        product(space);
     for (unsigned int row = 0; row < A.n_rows(); ++row)
       {
-        product.compute(A, P, columns, row);
+        product.compute(A, P, columns, ArrayView<const unsigned int>(&row, 1));
         const unsigned int stride = P.width(row);
         const Number      *block  = P.panel(row);
         for (auto l = P.column_begins[row]; l < P.column_begins[row + 1]; ++l)

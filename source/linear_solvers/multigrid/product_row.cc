@@ -131,41 +131,51 @@ namespace stickslip
 
   template <typename Number>
   void
-  ProductRow::compute(const BlockMatrix               &A,
-                      const BlockRows<Number>         &P,
-                      const std::vector<unsigned int> &columns,
-                      const unsigned int               row)
+  ProductRow::compute(const BlockMatrix                   &A,
+                      const BlockRows<Number>             &P,
+                      const std::vector<unsigned int>     &columns,
+                      const ArrayView<const unsigned int> &rows)
   {
     pattern.clear();
-    for (auto k = A.column_begin(row); k < A.column_begin(row + 1); ++k)
-      for (auto l = P.column_begins[A.column(k)];
-           l < P.column_begins[A.column(k) + 1];
-           ++l)
-        pattern.insert(columns[l]);
-    width                     = pattern.arrange();
-    const unsigned int height = A.height(row);
-    values.assign(height * width, 0.);
-    const double *block = A.panel(row);
-    for (auto k = A.column_begin(row); k < A.column_begin(row + 1); ++k)
+    unsigned int total_height = 0;
+    for (const unsigned int row : rows)
       {
-        const unsigned int j      = A.column(k);
-        const Number      *b      = P.panel(j);
-        const unsigned int stride = P.width(j);
-        const auto         end    = P.column_begins[j + 1];
-        for (auto l = P.column_begins[j]; l < end;)
+        total_height += A.height(row);
+        for (auto k = A.column_begin(row); k < A.column_begin(row + 1); ++k)
+          for (auto l = P.column_begins[A.column(k)];
+               l < P.column_begins[A.column(k) + 1];
+               ++l)
+            pattern.insert(columns[l]);
+      }
+    width = pattern.arrange();
+    values.assign(total_height * width, 0.);
+    double *sum = values.data();
+    for (const unsigned int row : rows)
+      {
+        const unsigned int height = A.height(row);
+        const double      *block  = A.panel(row);
+        for (auto k = A.column_begin(row); k < A.column_begin(row + 1); ++k)
           {
-            // blocks that are side by side in the product, too
-            const unsigned int offset = pattern.offset(columns[l]);
-            unsigned int       n      = 0;
-            do
-              n += P.widths[l++];
-            while (l < end && pattern.offset(columns[l]) == offset + n);
-            const PanelProduct panel{
-              height, A.block_width(k), n, A.width(row), 1, stride, width};
-            panel.add(block, b, values.data() + offset);
-            b += n;
+            const unsigned int j      = A.column(k);
+            const Number      *b      = P.panel(j);
+            const unsigned int stride = P.width(j);
+            const auto         end    = P.column_begins[j + 1];
+            for (auto l = P.column_begins[j]; l < end;)
+              {
+                // blocks that are side by side in the product, too
+                const unsigned int offset = pattern.offset(columns[l]);
+                unsigned int       n      = 0;
+                do
+                  n += P.widths[l++];
+                while (l < end && pattern.offset(columns[l]) == offset + n);
+                const PanelProduct panel{
+                  height, A.block_width(k), n, A.width(row), 1, stride, width};
+                panel.add(block, b, sum + offset);
+                b += n;
+              }
+            block += A.block_width(k);
           }
-        block += A.block_width(k);
+        sum += height * width;
       }
   }
 
@@ -175,10 +185,10 @@ namespace stickslip
   ProductRow::compute(const BlockMatrix &,
                       const BlockRows<float> &,
                       const std::vector<unsigned int> &,
-                      const unsigned int);
+                      const ArrayView<const unsigned int> &);
   template void
   ProductRow::compute(const BlockMatrix &,
                       const BlockRows<double> &,
                       const std::vector<unsigned int> &,
-                      const unsigned int);
+                      const ArrayView<const unsigned int> &);
 } // namespace stickslip

@@ -56,10 +56,10 @@ namespace stickslip
 
 
   void
-  SmoothedAggregation::add_level(BlockMatrix &A)
+  SmoothedAggregation::add_level(BlockMatrix &A, const NodePlaces &places)
   {
     levels.push_back(std::make_unique<Level>());
-    levels.back()->smoother.reinit(A);
+    levels.back()->smoother.reinit(A, find_clusters(A, places));
     levels.back()->space = A.column_space();
   }
 
@@ -68,14 +68,15 @@ namespace stickslip
   void
   SmoothedAggregation::coarsen(BlockMatrix       &A,
                                BlockRows<float> &&prolongation,
-                               const NodeSpace   &coarse)
+                               const NodeSpace   &coarse,
+                               const NodePlaces  &places)
   {
     Level      &fine = *levels.back();
     BlockMatrix next(galerkin_product(A, prolongation, coarse), coarse, coarse);
     fine.prolongation =
       Prolongation(std::move(prolongation), A.column_space(), coarse);
     A = std::move(next);
-    add_level(A);
+    add_level(A, places);
   }
 
 
@@ -84,32 +85,35 @@ namespace stickslip
   SmoothedAggregation::reinit(BlockMatrix      &&A,
                               BlockRows<float> &&prolongation,
                               NodeSpace        &&second,
+                              const NodePlaces  &places,
                               Modes            &&modes)
   {
     clear();
     const auto n_unknowns = [&A] {
       return A.column_space().owned_unknowns().size();
     };
-    add_level(A);
+    add_level(A, places);
     if (second.n_global() > 0)
       {
         move_to_fewer_ranks(second, modes, least_unknowns_per_rank);
-        coarsen(A, std::move(prolongation), second);
+        coarsen(A, std::move(prolongation), second, modes.nodes);
       }
     bool are_joined = false;
     while (levels.size() < max_levels && n_unknowns() > largest_coarsest_level)
       {
-        TentativeProlongation tentative =
-          tentative_prolongation(A.column_space(),
-                                 find_aggregates(A, modes.bodies),
-                                 modes);
+        TentativeProlongation tentative = tentative_prolongation(
+          A.column_space(),
+          find_aggregates(A,
+                          levels.back()->smoother.node_clusters(),
+                          modes.nodes.bodies),
+          modes);
         if (tentative.coarse.owned_unknowns().size() >
             least_coarsening * n_unknowns())
           {
             if (are_joined)
               break;
             // many small bodies: from here on in one
-            std::fill(modes.bodies.begin(), modes.bodies.end(), 0);
+            std::fill(modes.nodes.bodies.begin(), modes.nodes.bodies.end(), 0);
             are_joined = true;
             continue;
           }
@@ -119,7 +123,8 @@ namespace stickslip
         coarsen(A,
                 smoothed_prolongation(
                   A, levels.back()->smoother, tentative.rows, tentative.coarse),
-                tentative.coarse);
+                tentative.coarse,
+                tentative.coarse_modes.nodes);
         modes = std::move(tentative.coarse_modes);
       }
     factorise_coarsest(A);

@@ -1,7 +1,7 @@
 #ifndef stickslip_linear_solvers_multigrid_aggregation_h
 #define stickslip_linear_solvers_multigrid_aggregation_h
 
-#include <stickslip/linear_solvers/multigrid/block_matrix.h>
+#include <stickslip/linear_solvers/multigrid/node_clusters.h>
 
 #include <vector>
 
@@ -20,16 +20,17 @@ namespace stickslip
 
 
   /**
-   * Aggregates of the nodes that @p matrix couples, within each rank and each
-   * of the @p bodies (of the owned nodes): nodes whose neighbourhood is free
-   * with this neighbourhood, then the others with the neighbouring aggregate
-   * that they have most connections with (Vanek, Mandel, Brezina 1996). What is
-   * left makes aggregates of its own. (Aggregates across contact need the
-   * motions of both bodies, so that they are not smaller, and take up to a
-   * tenth more iterations.)
+   * Aggregates of the clusters that @p matrix couples, within each rank and
+   * each of the @p bodies (of the owned nodes): clusters whose neighbourhood is
+   * free with this neighbourhood, then the others with the neighbouring
+   * aggregate that they have most connections with (Vanek, Mandel, Brezina
+   * 1996). What is left makes aggregates of its own. (Aggregates across contact
+   * need the motions of both bodies, so that they are not smaller, and take up
+   * to a tenth more iterations.)
    */
   Aggregates
   find_aggregates(const BlockMatrix               &matrix,
+                  const NodeClusters              &clusters,
                   const std::vector<unsigned int> &bodies);
 
 
@@ -38,9 +39,9 @@ namespace stickslip
   /// vector] for the owned unknowns.
   struct Modes
   {
-    unsigned int              n_vectors = 0;
-    std::vector<double>       values;
-    std::vector<unsigned int> bodies; ///< of the owned nodes
+    unsigned int        n_vectors = 0;
+    std::vector<double> values;
+    NodePlaces          nodes;
   };
 
 

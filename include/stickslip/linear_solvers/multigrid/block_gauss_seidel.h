@@ -1,20 +1,19 @@
 #ifndef stickslip_linear_solvers_multigrid_block_gauss_seidel_h
 #define stickslip_linear_solvers_multigrid_block_gauss_seidel_h
 
-#include <stickslip/linear_solvers/multigrid/cycle_matrix.h>
+#include <stickslip/linear_solvers/multigrid/block_diagonal.h>
 #include <stickslip/linear_solvers/multigrid/ordered_exchange.h>
 
-#include <cstddef>
 #include <vector>
 
 namespace stickslip
 {
   /**
-   * Gauss-Seidel sweeps that solve for all unknowns of a node at once, over all
-   * ranks: first the nodes beside those of other ranks, rank after rank (see
-   * OrderedExchange), then the others, all ranks at the same time. (Sweeps of
-   * each rank for itself took up to a fifth more iterations on 4 ranks than on
-   * one.)
+   * Gauss-Seidel sweeps that solve for all unknowns of a cluster of nodes at
+   * once, over all ranks: first the clusters beside those of other ranks, rank
+   * after rank (see OrderedExchange), then the others, all ranks at the same
+   * time. (Sweeps of each rank for itself took up to a fifth more iterations on
+   * 4 ranks than on one.)
    */
   class BlockGaussSeidel
   {
@@ -27,7 +26,7 @@ namespace stickslip
      * long with half-rows of one matrix.) Collective.
      */
     void
-    reinit(BlockMatrix &A);
+    reinit(BlockMatrix &A, NodeClusters &&clusters);
 
     /**
      * One sweep forwards and one backwards from x = 0, and the residual that is
@@ -44,48 +43,42 @@ namespace stickslip
     void
     smooth(std::vector<double> &x, const std::vector<double> &b) const;
 
-    /// y = D^-1 y in the @p n unknowns of a node.
+    const NodeClusters &
+    node_clusters() const
+    {
+      return clusters;
+    }
+
+    /// y = D^-1 y in the unknowns of a cluster.
     void
-    scale(const unsigned int node, const unsigned int n, double *y) const;
+    scale(const unsigned int cluster, double *y) const;
 
     /// The largest eigenvalue of D^-1 A, from below, by some steps of the power
     /// method. Collective.
     double
     largest_eigenvalue() const;
 
-    /// The inverse of a diagonal block, by rows.
-    const double *
-    inverse(const unsigned int node) const
-    {
-      return inverses.data() + inverse_begins[node];
-    }
-
   private:
     NodeSpace                 space;
+    NodeClusters              clusters;
     CycleMatrix               lower, upper; ///< without the diagonal blocks
     OrderedExchange           exchange;
-    std::vector<unsigned int> order;      ///< of the owned nodes
-    unsigned int             n_first = 0; ///< nodes beside those of other ranks
-    std::vector<std::size_t> inverse_begins;
-    std::vector<double>      inverses;
+    std::vector<unsigned int> order; ///< of the clusters
+    unsigned int  n_first = 0;       ///< clusters beside those of other ranks
+    BlockDiagonal diagonal;
 
-    mutable std::vector<double> lower_residual; ///< b - L x1
-    mutable std::vector<double> upper_part;     ///< U x
-    mutable std::vector<double> defect;         ///< of one node
+    mutable std::vector<double> lower_residual;  ///< b - L x1
+    mutable std::vector<double> upper_part;      ///< U x
+    mutable std::vector<double> defect, product; ///< of one cluster
 
-    /// The nodes beside those of other ranks come first.
+    /// The clusters beside nodes of other ranks come first.
     void
     set_order(const BlockMatrix &A);
 
-    /// Inverts the diagonal blocks; returns their positions in the columns.
-    std::vector<std::size_t>
-    invert_diagonal(const BlockMatrix &A);
-
     void
-    copy_triangles(const BlockMatrix              &A,
-                   const std::vector<std::size_t> &diagonals);
+    copy_triangles(const BlockMatrix &A);
 
-    /// The nodes [first, end) of the order, while messages get on.
+    /// The clusters [first, end) of the order, while messages get on.
     template <typename Visitor>
     void
     visit_forwards(const unsigned int first,
@@ -109,9 +102,9 @@ namespace stickslip
     void
     sweep_backwards(std::vector<double> &x) const;
 
-    /// x = D^-1 defect in one node.
+    /// x = D^-1 defect in one cluster.
     void
-    set_from_defect(const unsigned int node, std::vector<double> &x) const;
+    set_from_defect(const unsigned int cluster, std::vector<double> &x) const;
   };
 } // namespace stickslip
 

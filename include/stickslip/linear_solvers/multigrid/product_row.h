@@ -3,6 +3,8 @@
 
 #include <stickslip/linear_solvers/multigrid/block_matrix.h>
 
+#include <deal.II/base/array_view.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -94,7 +96,7 @@ namespace stickslip
 
 
 
-  /// A row of blocks of A P.
+  /// A row of blocks of A P, or some of them with the columns of all.
   class ProductRow
   {
   public:
@@ -103,14 +105,14 @@ namespace stickslip
       : pattern(space)
     {}
 
-    /// Row @p row of A P, where @p columns are the local numbers of the columns
-    /// of @p P, which has the rows of all local columns of A.
+    /// Rows of A P one below the other, where @p columns are the local numbers
+    /// of the columns of @p P, which has the rows of all local columns of A.
     template <typename Number>
     void
-    compute(const BlockMatrix               &A,
-            const BlockRows<Number>         &P,
-            const std::vector<unsigned int> &columns,
-            const unsigned int               row);
+    compute(const BlockMatrix                   &A,
+            const BlockRows<Number>             &P,
+            const std::vector<unsigned int>     &columns,
+            const ArrayView<const unsigned int> &rows);
 
     RowPattern          pattern;
     unsigned int        width = 0;

@@ -28,15 +28,17 @@ namespace stickslip
   {
   public:
     /**
-     * Makes the hierarchy of @p matrix. If @p second has nodes, they are those
-     * of the second level, to which @p prolongation leads; @p modes are those
-     * of the first level that is coarsened by aggregation. Throws ExceptionBase
+     * Makes the hierarchy of @p matrix, whose nodes have the given @p places.
+     * If @p second has nodes, they are those of the second level, to which
+     * @p prolongation leads; @p modes are those of the first level that is
+     * coarsened by aggregation. Throws ExceptionBase
      * if the coarsest matrix cannot be factorised. Collective.
      */
     void
     reinit(BlockMatrix      &&matrix,
            BlockRows<float> &&prolongation,
            NodeSpace        &&second,
+           const NodePlaces  &places,
            Modes            &&modes);
 
     void
@@ -77,14 +79,15 @@ namespace stickslip
 
     /// Adds the coarsest level so far, whose smoother sorts @p A.
     void
-    add_level(BlockMatrix &A);
+    add_level(BlockMatrix &A, const NodePlaces &places);
 
     /// Adds the next level to that of @p A, which becomes the matrix of that
     /// level.
     void
     coarsen(BlockMatrix       &A,
             BlockRows<float> &&prolongation,
-            const NodeSpace   &coarse);
+            const NodeSpace   &coarse,
+            const NodePlaces  &places);
 
     void
     factorise_coarsest(const BlockMatrix &A);
