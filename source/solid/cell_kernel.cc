@@ -1,5 +1,7 @@
 #include <stickslip/solid/cell_kernel.h>
 
+#include <stickslip/base/vectorized.h>
+
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
@@ -11,11 +13,11 @@ namespace stickslip
   {
     /// K_(a i)(k b) += G_aJ A_iJkL G_bL for @p n nodes.
     template <int dim, typename Number>
-    void
-    add_products(const Number        n,
-                 const double *const G,
-                 const double (&A)[dim][dim][dim][dim],
-                 double *const K)
+    [[gnu::always_inline]] inline void
+    add_rows(const Number        n,
+             const double *const G,
+             const double (&A)[dim][dim][dim][dim],
+             double *const K)
     {
       for (unsigned int a = 0; a < n; ++a)
         for (unsigned int i = 0; i < dim; ++i)
@@ -29,7 +31,6 @@ namespace stickslip
                     G_A[L] += G[J * n + a] * A[i][J][k][L];
                 }
               double *const block = K + ((a * dim + i) * dim + k) * n;
-              DEAL_II_OPENMP_SIMD_PRAGMA
               for (unsigned int b = 0; b < n; ++b)
                 {
                   double sum = block[b];
@@ -38,6 +39,58 @@ namespace stickslip
                   block[b] = sum;
                 }
             }
+    }
+
+
+
+    template <int dim>
+    [[gnu::always_inline]] inline void
+    add_all_rows(const unsigned int  n,
+                 const double *const G,
+                 const double (&A)[dim][dim][dim][dim],
+                 double *const K)
+    {
+      // Loops of a length that the compiler knows are faster.
+      constexpr unsigned int linear            = Utilities::pow(2, dim);
+      constexpr unsigned int quadratic         = Utilities::pow(3, dim);
+      constexpr unsigned int simplex           = dim + 1;
+      constexpr unsigned int quadratic_simplex = (dim + 1) * (dim + 2) / 2;
+      const auto add = [&](const auto length) __attribute__((always_inline))
+      {
+        add_rows<dim>(length, G, A, K);
+      };
+      if (n == linear)
+        add(std::integral_constant<unsigned int, linear>());
+      else if (n == quadratic)
+        add(std::integral_constant<unsigned int, quadratic>());
+      else if (n == simplex)
+        add(std::integral_constant<unsigned int, simplex>());
+      else if (n == quadratic_simplex)
+        add(std::integral_constant<unsigned int, quadratic_simplex>());
+      else
+        add(n);
+    }
+
+
+
+    STICKSLIP_VECTORIZED void
+    add_products(const unsigned int  n,
+                 const double *const G,
+                 const double (&A)[2][2][2][2],
+                 double *const K)
+    {
+      add_all_rows(n, G, A, K);
+    }
+
+
+
+    STICKSLIP_VECTORIZED void
+    add_products(const unsigned int  n,
+                 const double *const G,
+                 const double (&A)[3][3][3][3],
+                 double *const K)
+    {
+      add_all_rows(n, G, A, K);
     }
   } // namespace
 
@@ -183,25 +236,7 @@ namespace stickslip
         for (unsigned int k = 0; k < dim; ++k)
           for (unsigned int L = 0; L < dim; ++L)
             A[i][J][k][L] = dP_dF[i][J][k][L] * JxW;
-
-    // Loops of a length that the compiler knows are faster.
-    constexpr unsigned int linear            = Utilities::pow(2, dim);
-    constexpr unsigned int quadratic         = Utilities::pow(3, dim);
-    constexpr unsigned int quadratic_simplex = (dim + 1) * (dim + 2) / 2;
-    const double          *G                 = gradients.data();
-    const auto             add               = [&](const auto length) {
-      add_products<dim>(length, G, A, stiffness.data());
-    };
-    if (n_nodes == linear)
-      add(std::integral_constant<unsigned int, linear>());
-    else if (n_nodes == quadratic)
-      add(std::integral_constant<unsigned int, quadratic>());
-    else if (n_nodes == dim + 1)
-      add(std::integral_constant<unsigned int, dim + 1>());
-    else if (n_nodes == quadratic_simplex)
-      add(std::integral_constant<unsigned int, quadratic_simplex>());
-    else
-      add(n_nodes);
+    add_products(n_nodes, gradients.data(), A, stiffness.data());
     if (cross_section.is_axisymmetric)
       add_hoop_tangent(dP_dF, JxW);
   }
