@@ -7,11 +7,11 @@ namespace stickslip
   STICKSLIP_VECTORIZED void
   add_scaled(const double factor, const std::vector<double> &x, double *sum)
   {
-    using namespace FourLanes;
+    using Lanes               = FourLanes;
     const unsigned int n      = x.size();
     const unsigned int n_full = n - n % 4;
     for (unsigned int k = 0; k < n_full; k += 4)
-      store(sum + k, load(sum + k) + factor * load(&x[k]));
+      Lanes::store(sum + k, Lanes::load(sum + k) + factor * Lanes::load(&x[k]));
     for (unsigned int k = n_full; k < n; ++k)
       sum[k] += factor * x[k];
   }

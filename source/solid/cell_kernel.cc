@@ -1,101 +1,11 @@
 #include <stickslip/solid/cell_kernel.h>
 
-#include <stickslip/base/vectorized.h>
-
-#include <deal.II/base/utilities.h>
+#include <stickslip/solid/tangent_products.h>
 
 #include <algorithm>
-#include <type_traits>
 
 namespace stickslip
 {
-  namespace
-  {
-    /// K_(a i)(k b) += G_aJ A_iJkL G_bL for @p n nodes.
-    template <int dim, typename Number>
-    [[gnu::always_inline]] inline void
-    add_rows(const Number        n,
-             const double *const G,
-             const double (&A)[dim][dim][dim][dim],
-             double *const K)
-    {
-      for (unsigned int a = 0; a < n; ++a)
-        for (unsigned int i = 0; i < dim; ++i)
-          for (unsigned int k = 0; k < dim; ++k)
-            {
-              double G_A[dim]; // G_aJ A_iJkL for this a, i, k
-              for (unsigned int L = 0; L < dim; ++L)
-                {
-                  G_A[L] = 0.;
-                  for (unsigned int J = 0; J < dim; ++J)
-                    G_A[L] += G[J * n + a] * A[i][J][k][L];
-                }
-              double *const block = K + ((a * dim + i) * dim + k) * n;
-              for (unsigned int b = 0; b < n; ++b)
-                {
-                  double sum = block[b];
-                  for (unsigned int L = 0; L < dim; ++L)
-                    sum += G_A[L] * G[L * n + b];
-                  block[b] = sum;
-                }
-            }
-    }
-
-
-
-    template <int dim>
-    [[gnu::always_inline]] inline void
-    add_all_rows(const unsigned int  n,
-                 const double *const G,
-                 const double (&A)[dim][dim][dim][dim],
-                 double *const K)
-    {
-      // Loops of a length that the compiler knows are faster.
-      constexpr unsigned int linear            = Utilities::pow(2, dim);
-      constexpr unsigned int quadratic         = Utilities::pow(3, dim);
-      constexpr unsigned int simplex           = dim + 1;
-      constexpr unsigned int quadratic_simplex = (dim + 1) * (dim + 2) / 2;
-      const auto add = [&](const auto length) __attribute__((always_inline))
-      {
-        add_rows<dim>(length, G, A, K);
-      };
-      if (n == linear)
-        add(std::integral_constant<unsigned int, linear>());
-      else if (n == quadratic)
-        add(std::integral_constant<unsigned int, quadratic>());
-      else if (n == simplex)
-        add(std::integral_constant<unsigned int, simplex>());
-      else if (n == quadratic_simplex)
-        add(std::integral_constant<unsigned int, quadratic_simplex>());
-      else
-        add(n);
-    }
-
-
-
-    STICKSLIP_VECTORIZED void
-    add_products(const unsigned int  n,
-                 const double *const G,
-                 const double (&A)[2][2][2][2],
-                 double *const K)
-    {
-      add_all_rows(n, G, A, K);
-    }
-
-
-
-    STICKSLIP_VECTORIZED void
-    add_products(const unsigned int  n,
-                 const double *const G,
-                 const double (&A)[3][3][3][3],
-                 double *const K)
-    {
-      add_all_rows(n, G, A, K);
-    }
-  } // namespace
-
-
-
   template <int dim>
   ElementArrays<dim>::ElementArrays(const FiniteElement<dim> &fe,
                                     const CrossSection       &cross_section)
@@ -236,7 +146,7 @@ namespace stickslip
         for (unsigned int k = 0; k < dim; ++k)
           for (unsigned int L = 0; L < dim; ++L)
             A[i][J][k][L] = dP_dF[i][J][k][L] * JxW;
-    add_products(n_nodes, gradients.data(), A, stiffness.data());
+    add_tangent_products(n_nodes, gradients.data(), A, stiffness.data());
     if (cross_section.is_axisymmetric)
       add_hoop_tangent(dP_dF, JxW);
   }

@@ -23,11 +23,11 @@ namespace stickslip
    * Four numbers that are treated at a time. Functions of these have to be
    * inline in those that are STICKSLIP_VECTORIZED.
    */
-  namespace FourLanes
+  struct FourLanes
   {
     using Lanes = double __attribute__((vector_size(32)));
 
-    [[gnu::always_inline]] inline Lanes
+    [[gnu::always_inline]] static Lanes
     load(const double *const x)
     {
       Lanes lanes;
@@ -35,7 +35,7 @@ namespace stickslip
       return lanes;
     }
 
-    [[gnu::always_inline]] inline Lanes
+    [[gnu::always_inline]] static Lanes
     load(const float *const x)
     {
       using Floats = float __attribute__((vector_size(16)));
@@ -44,18 +44,18 @@ namespace stickslip
       return __builtin_convertvector(floats, Lanes);
     }
 
-    [[gnu::always_inline]] inline void
+    [[gnu::always_inline]] static void
     store(double *const x, const Lanes &lanes)
     {
       std::memcpy(x, &lanes, sizeof(lanes));
     }
 
-    [[gnu::always_inline]] inline double
+    [[gnu::always_inline]] static double
     sum(const Lanes &lanes)
     {
       return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
     }
-  } // namespace FourLanes
+  };
 } // namespace stickslip
 
 #endif

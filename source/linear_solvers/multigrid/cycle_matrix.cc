@@ -9,7 +9,7 @@ namespace stickslip
 {
   namespace
   {
-    using FourLanes::Lanes;
+    using Lanes = FourLanes::Lanes;
 
     /// Values behind the last one that a product reads but does not use.
     constexpr unsigned int padding = 3;

@@ -8,20 +8,6 @@ namespace stickslip
 {
   namespace
   {
-    struct Quad
-    {
-      using Lanes = FourLanes::Lanes;
-
-      template <typename Number>
-      [[gnu::always_inline]] static Lanes
-      load(const Number *const x)
-      {
-        return FourLanes::load(x);
-      }
-    };
-
-
-
     struct Pair
     {
       using Lanes = double __attribute__((vector_size(16)));
@@ -74,7 +60,7 @@ namespace stickslip
     {
       unsigned int c = 0;
       for (; c + 4 <= panel.n_columns; c += 4)
-        add_columns<Quad, n_inner>(panel, a, b + c, sum + c);
+        add_columns<FourLanes, n_inner>(panel, a, b + c, sum + c);
       for (; c + 2 <= panel.n_columns; c += 2)
         add_columns<Pair, n_inner>(panel, a, b + c, sum + c);
       for (; c < panel.n_columns; ++c)
