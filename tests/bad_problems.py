@@ -9,6 +9,10 @@ def rule(*lines):
     return "subsection Refinement\n subsection spot\n  set %s\n end\nend\n" % "\n  set ".join(lines)
 
 
+def held(*lines):
+    return "subsection Boundary conditions\n subsection held\n set %s\n end\nend\n" % "\n set ".join(lines)
+
+
 # what is wrong: (file, text added below an include of it, exit code, words of the message)
 CASES = {
     "unknown parameter": (
@@ -342,6 +346,21 @@ CASES = {
         "rollers.prm", body("tube", "Arguments = 10 |1| 11.27 : 0 |24| 240") + body("ring", "Arguments = 11.35 |2, 4| 20 : 0 |12| 90")
         + own_condition("Body = tube", "Boundary = 2", "Second boundary = 3", "Type = cyclic symmetry"),
         WRONG_INPUT, ["Boundary conditions/own", "240 degrees apart"]),
+    "a displacement that is not that of all sectors": (
+        "../cyclic_second_side.prm", held("Boundary = 0", "Components = Cartesian"),
+        WRONG_INPUT, ["Boundary conditions/held is not the same on both sides", "at (1 0)", "at (0 1)", "'Components = cylindrical'"]),
+    "two conditions that contradict each other over a period": (
+        "../periodic_second_side.prm", own_condition("Body = strip", "Boundary = 0", "Value = 0.01*t; 0"),
+        WRONG_INPUT, ["Boundary conditions/own and Boundary conditions/held contradict", "0.02 along the direction (0 1) at (2 ", "'Where'"]),
+    "a reference point of one side of a sector": (
+        "../cyclic_second_side.prm", held("Type = rigid motion", "Value =", "Components = Cartesian", "Rotation angle = free", "Rotation centre = 0, 0"),
+        WRONG_INPUT, ["Boundary conditions/held holds the node (0 1), but not (1 0)", "Name boundaries that have both"]),
+    "a reference point that moves all sectors along x": (
+        "../cyclic_second_side.prm", held("Type = rigid motion", "Boundary = 0", "Value =", "Components = Cartesian", "Translation = free; 0"),
+        WRONG_INPUT, ["Boundary conditions/held moves the node (0 1) otherwise than (1 0)", "rotation about it"]),
+    "a reference point that turns what is repeated": (
+        "../periodic_second_side.prm", held("Type = rigid motion", "Boundary = 3", "Value =", "Rotation angle = free", "Rotation centre = 0, 0"),
+        WRONG_INPUT, ["Boundary conditions/held moves the node (2 1) otherwise than (0 1)", "no rotation"]),
     "an amplitude that nobody has made": (
         "plate.prm", own_condition("Body = plate", "Boundary = 3", "Type = pressure", "Value = 1", "Amplitude = rmap")
         + section("Amplitudes", "x = 1").replace("set x = 1", "subsection ramp\n set Table = 0: 0, 1: 1\n end"),

@@ -178,7 +178,8 @@ namespace stickslip
     const hp::MappingCollection<dim>    &mapping,
     const DoFHandler<dim>               &dof_handler)
   {
-    if (boundaries.empty())
+    is_periodic = !boundaries.empty();
+    if (!is_periodic)
       return;
     const IndexSet &owned = dof_handler.locally_owned_dofs();
     IndexSet        relevant;

@@ -122,6 +122,7 @@ namespace stickslip
     boundary_conditions.permanent().add_prescribed_displacements(
       dofs.mapping,
       dofs.dof_handler,
+      dofs.periodic_nodes,
       time,
       LA::Vector(dofs.owned, communicator),
       supports);

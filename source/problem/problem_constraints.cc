@@ -3,6 +3,7 @@
 #include <stickslip/base/user_error.h>
 
 #include <stickslip/solid/displacement_constraints.h>
+#include <stickslip/solid/held_images.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -68,8 +69,15 @@ namespace stickslip
     for (auto &condition : conditions)
       condition.active = ActiveInterval();
     std::string error;
-    const auto  nodes = find_held_nodes(
+    auto        nodes = find_held_nodes(
       dofs.mapping, dofs.dof_handler, bodies, conditions, 0., error);
+    add_rows_of_images(dofs.periodic_nodes,
+                       dofs.owned,
+                       conditions,
+                       0.,
+                       communicator,
+                       nodes,
+                       error);
     throw_collectively(error, communicator);
 
     Constraints geometric = geometric_lines_seen();
@@ -131,8 +139,12 @@ namespace stickslip
     // first: what else holds a node of a second side holds the opposite one
     for (const auto &cut : cuts)
       add_lines_on_all_ranks(cut.lines(time), dofs.owned, communicator, lines);
-    boundary_conditions.add_prescribed_displacements(
-      dofs.mapping, dofs.dof_handler, time, displacement, lines);
+    boundary_conditions.add_prescribed_displacements(dofs.mapping,
+                                                     dofs.dof_handler,
+                                                     dofs.periodic_nodes,
+                                                     time,
+                                                     displacement,
+                                                     lines);
     for (const auto &coupling : couplings)
       if (coupling.is_active(time))
         add_lines_on_all_ranks(coupling.lines(displacement),
@@ -215,8 +227,12 @@ namespace stickslip
                                               LA::Vector  &displacement) const
   {
     Constraints lines(dofs.relevant);
-    boundary_conditions.add_prescribed_displacements(
-      dofs.mapping, dofs.dof_handler, time, displacement, lines);
+    boundary_conditions.add_prescribed_displacements(dofs.mapping,
+                                                     dofs.dof_handler,
+                                                     dofs.periodic_nodes,
+                                                     time,
+                                                     displacement,
+                                                     lines);
     lines.close();
     // Not +=: a rank that adds to a vector of which values have been set
     // communicates, and a rank without rigid bodies does not.

@@ -5,6 +5,7 @@
 #include <stickslip/solid/axisymmetry.h>
 #include <stickslip/solid/direction_parameters.h>
 #include <stickslip/solid/displacement_constraints.h>
+#include <stickslip/solid/held_images.h>
 #include <stickslip/solid/rigid_body_conditions.h>
 
 #include <deal.II/base/mpi.h>
@@ -242,6 +243,7 @@ namespace stickslip
   BoundaryConditions<dim>::add_prescribed_displacements(
     const hp::MappingCollection<dim> &mapping,
     const DoFHandler<dim>            &dof_handler,
+    const PeriodicNodes<dim>         &periodic_nodes,
     const double                      time,
     const LA::Vector                 &u,
     Constraints                      &constraints) const
@@ -249,8 +251,15 @@ namespace stickslip
     const MPI_Comm communicator = dof_handler.get_communicator();
 
     std::string error;
-    const auto  nodes =
+    auto        nodes =
       find_held_nodes(mapping, dof_handler, bodies, displacements, time, error);
+    add_rows_of_images(periodic_nodes,
+                       dof_handler.locally_owned_dofs(),
+                       displacements,
+                       time,
+                       communicator,
+                       nodes,
+                       error);
 
     std::vector<ConstraintLine> lines;
     std::vector<unsigned int>   n_nodes(displacements.size(), 0);

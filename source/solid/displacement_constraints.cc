@@ -9,6 +9,19 @@
 
 namespace stickslip
 {
+  template <int dim>
+  std::string
+  in_brackets(const Tensor<1, dim> &vector)
+  {
+    std::ostringstream text;
+    for (unsigned int d = 0; d < dim; ++d)
+      text << (d == 0 ? "(" : " ")
+           << (std::abs(vector[d]) < 1e-10 * vector.norm() ? 0. : vector[d]);
+    return text.str() + ')';
+  }
+
+
+
   namespace
   {
     /// A row in which the component `pivot` has been made one; `origin` is its
@@ -54,6 +67,72 @@ namespace stickslip
 
 
 
+    /// The same for a row beside those before it, at the displacement @p u.
+    /// That at an image: its place is rounded.
+    template <int dim>
+    double
+    tolerance_of(const HeldNode<dim>  &node,
+                 const unsigned int    row,
+                 const Tensor<1, dim> &u)
+    {
+      double tolerance = tolerance_of_values(node);
+      if (node.rows[row].image)
+        {
+          double largest = u.norm();
+          for (const auto &other : node.rows)
+            largest = std::max(largest, std::abs(other.value));
+          tolerance += node.rows[row].same_direction() * largest +
+                       2e-5 * node.cell_diameter;
+        }
+      return tolerance;
+    }
+
+
+
+    /// Where a row is prescribed.
+    template <int dim>
+    const Point<dim> &
+    place_of(const HeldNode<dim> &node, const unsigned int row)
+    {
+      return node.rows[row].image ? node.rows[row].image->position
+                                  : node.position;
+    }
+
+
+
+    /// A node that has other places, too, where the same condition or another
+    /// one holds it.
+    template <int dim>
+    std::string
+    image_contradiction_text(
+      const HeldNode<dim>                            &node,
+      const unsigned int                              row,
+      const unsigned int                              other,
+      const std::vector<PrescribedDisplacement<dim>> &conditions)
+    {
+      const auto prescribed = [&](const unsigned int r) {
+        std::ostringstream text;
+        text << node.rows[r].value << " along the direction "
+             << in_brackets(node.rows[r].turned(node.rows[r].direction))
+             << " at " << in_brackets<dim>(place_of(node, r));
+        return text.str();
+      };
+      const std::string &name = conditions[node.rows[other].condition].name;
+      const std::string &its  = conditions[node.rows[row].condition].name;
+      return "Boundary conditions/" + name +
+             (its == name ? " is not the same on both sides: "
+                          : " and Boundary conditions/" + its +
+                              " contradict each other: ") +
+             "a displacement of " + prescribed(other) + " against " +
+             prescribed(row) +
+             ", but periodic boundaries or sides of cyclic symmetry make one "
+             "node of the two. Prescribe what is the same in all sectors (with "
+             "'Components = cylindrical', along the axis), hold one of the two "
+             "places only ('Where'), or compute the whole model.";
+    }
+
+
+
     template <int dim>
     std::string
     contradiction_text(
@@ -69,6 +148,8 @@ namespace stickslip
                      node.rows[row].direction) >
             std::abs(node.rows[other].direction * node.rows[row].direction))
           other = candidate.origin;
+      if (node.rows[row].image || node.rows[other].image)
+        return image_contradiction_text(node, row, other, conditions);
 
       std::ostringstream text;
       text << "Boundary conditions/"
@@ -93,8 +174,6 @@ namespace stickslip
                     const std::vector<PrescribedDisplacement<dim>> &conditions,
                     std::string                                    &error)
   {
-    const double tolerance = tolerance_of_values(node);
-
     // Gauss-Jordan elimination, at most dim rows survive.
     std::vector<PivotRow<dim>> rows;
     for (unsigned int r = 0; r < node.rows.size(); ++r)
@@ -109,9 +188,9 @@ namespace stickslip
             row.direction -= factor * known.direction;
             row.value -= factor * known.value;
           }
-        if (row.direction.norm() < 1e-6)
+        if (row.direction.norm() < node.rows[r].same_direction())
           {
-            if (std::abs(row.value) > tolerance && error.empty())
+            if (std::abs(row.value) > tolerance_of(node, r, u) && error.empty())
               error = contradiction_text(node, r, conditions, rows);
             continue;
           }
@@ -189,6 +268,8 @@ namespace stickslip
     const double         tolerance = tolerance_of_values(node);
     for (const auto &row : node.rows)
       {
+        if (row.image) // the image itself is checked
+          continue;
         const bool is_free_of =
           never_moves_along(coupling.motion,
                             Tensor<1, dim>(node.position -
@@ -273,6 +354,10 @@ namespace stickslip
 
 
 
+  template std::string
+  in_brackets(const Tensor<1, 2> &);
+  template std::string
+  in_brackets(const Tensor<1, 3> &);
   template void
   check_coupled_node(const HeldNode<2> &,
                      const std::vector<PrescribedDisplacement<2>> &,

@@ -2,6 +2,8 @@
 
 #include <stickslip/base/user_error.h>
 
+#include <stickslip/solid/held_images.h>
+
 #include <deal.II/base/mpi.h>
 
 namespace stickslip
@@ -11,6 +13,7 @@ namespace stickslip
   support_forces(const BoundaryConditions<dim>    &conditions,
                  const hp::MappingCollection<dim> &mapping,
                  const DoFHandler<dim>            &dof_handler,
+                 const PeriodicNodes<dim>         &periodic_nodes,
                  const Bodies                     &bodies,
                  const double                      time,
                  const LA::Vector                 &unbalanced)
@@ -18,8 +21,15 @@ namespace stickslip
     const auto    &prescribed   = conditions.prescribed_displacements();
     const MPI_Comm communicator = dof_handler.get_communicator();
     std::string    error;
-    const auto     nodes =
+    auto           nodes =
       find_held_nodes(mapping, dof_handler, bodies, prescribed, time, error);
+    add_rows_of_images(periodic_nodes,
+                       dof_handler.locally_owned_dofs(),
+                       prescribed,
+                       time,
+                       communicator,
+                       nodes,
+                       error);
     throw_collectively(error, communicator);
 
     std::vector<double> sums(dim * prescribed.size(), 0.);
@@ -40,13 +50,14 @@ namespace stickslip
             Tensor<1, dim> direction = row.direction;
             for (const auto &known : held)
               direction -= (row.direction * known) * known;
-            if (direction.norm() < 1e-6)
+            if (direction.norm() < row.same_direction())
               continue;
             direction /= direction.norm();
             held.push_back(direction);
+            const Tensor<1, dim> part =
+              row.turned((force * direction) * direction);
             for (unsigned int d = 0; d < dim; ++d)
-              sums[dim * row.condition + d] +=
-                (force * direction) * direction[d];
+              sums[dim * row.condition + d] += part[d];
           }
       }
     const std::vector<double> of_this_rank = sums;
@@ -70,6 +81,7 @@ namespace stickslip
     const BoundaryConditions<dim> &,                                           \
     const hp::MappingCollection<dim> &,                                        \
     const DoFHandler<dim> &,                                                   \
+    const PeriodicNodes<dim> &,                                                \
     const Bodies &,                                                            \
     const double,                                                              \
     const LA::Vector &);

@@ -198,7 +198,7 @@ namespace solid_test
       Constraints constraints(relevant);
       DoFTools::make_hanging_node_constraints(dof_handler, constraints);
       boundary_conditions->add_prescribed_displacements(
-        mapping, dof_handler, time, u, constraints);
+        mapping, dof_handler, PeriodicNodes<dim>(), time, u, constraints);
       constraints.close();
       return constraints;
     }

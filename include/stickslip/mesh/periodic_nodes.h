@@ -41,6 +41,13 @@ namespace stickslip
                   const hp::MappingCollection<dim>    &mapping,
                   const DoFHandler<dim>               &dof_handler);
 
+    /// Whether the model has periodic boundaries: the same on all ranks.
+    bool
+    has_boundaries() const
+    {
+      return is_periodic;
+    }
+
     /// By the first dof of the node.
     const std::map<types::global_dof_index, Image> &
     images() const
@@ -54,6 +61,7 @@ namespace stickslip
 
   private:
     std::map<types::global_dof_index, Image> nodes;
+    bool                                     is_periodic = false;
   };
 } // namespace stickslip
 

@@ -178,6 +178,7 @@ namespace stickslip
       return support_forces(boundary_conditions,
                             dofs.mapping,
                             dofs.dof_handler,
+                            dofs.periodic_nodes,
                             mesh.bodies,
                             time,
                             unbalanced);

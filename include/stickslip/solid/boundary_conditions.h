@@ -6,6 +6,7 @@
 #include <stickslip/base/types.h>
 
 #include <stickslip/mesh/body.h>
+#include <stickslip/mesh/periodic_nodes.h>
 
 #include <stickslip/solid/boundary_condition_parameters.h>
 #include <stickslip/solid/load.h>
@@ -48,8 +49,9 @@ namespace stickslip
      * prescribed displacements that act at this time; bodies marked rigid that
      * no rigid motion names are held in place. @p u holds the current displacements and needs the
      * locally owned entries. Degrees of freedom that are constrained already
-     * (hanging nodes, periodicity) keep their lines. Nodes that follow a
-     * reference point are left to RigidCoupling. All lines of
+     * (hanging nodes, periodicity) keep their lines; what is prescribed at
+     * images is prescribed to their originals (solid/held_images.h). Nodes that
+     * follow a reference point are left to RigidCoupling. All lines of
      * constraints.get_local_lines() are filled, so ranks agree, also on
      * degrees of freedom of cells that they do not see.
      *
@@ -60,9 +62,10 @@ namespace stickslip
     void
     add_prescribed_displacements(const hp::MappingCollection<dim> &mapping,
                                  const DoFHandler<dim>            &dof_handler,
-                                 const double                      time,
-                                 const LA::Vector                 &u,
-                                 Constraints &constraints) const;
+                                 const PeriodicNodes<dim> &periodic_nodes,
+                                 const double              time,
+                                 const LA::Vector         &u,
+                                 Constraints              &constraints) const;
 
     /// Whether a rigid motion with free components moves the rigid body.
     bool

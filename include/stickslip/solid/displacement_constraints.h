@@ -28,6 +28,11 @@ namespace stickslip
     }
   };
 
+  /// For messages, without the roundoff of components that are zero.
+  template <int dim>
+  std::string
+  in_brackets(const Tensor<1, dim> &vector);
+
   /**
    * Resolves what is prescribed at a node to lines for the increment of its
    * displacement, whose current value is @p u: direction . (u + increment) =

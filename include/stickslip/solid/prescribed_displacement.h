@@ -63,6 +63,15 @@ namespace stickslip
     }
   };
 
+  /// Where an image of a node is (mesh/periodic_nodes.h), and the rotation of
+  /// the displacement of the node to that of the image.
+  template <int dim>
+  struct NodeImage
+  {
+    Point<dim>     position;
+    Tensor<2, dim> Q;
+  };
+
   /**
    * A node whose displacement is prescribed along one or more directions, or
    * that follows a reference point.
@@ -76,6 +85,25 @@ namespace stickslip
       Tensor<1, dim> direction; ///< of unit length
       double         value;
       unsigned int   condition; ///< index into the conditions
+
+      /// Of what is prescribed there; these come behind the others.
+      std::optional<NodeImage<dim>> image = {};
+
+      /// Directions that differ by less are the same: mesh files have rounded
+      /// numbers, and images are not quite where the motion has them.
+      double
+      same_direction() const
+      {
+        return image ? 1e-4 : 1e-6;
+      }
+
+      /// The part of a force along the unit vector @p d, which is held by this
+      /// row, where the condition is.
+      Tensor<1, dim>
+      turned(const Tensor<1, dim> &d) const
+      {
+        return image ? image->Q * d : d;
+      }
     };
 
     std::array<types::global_dof_index, dim> dofs;
