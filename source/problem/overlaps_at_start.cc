@@ -4,6 +4,9 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+#include <cmath>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -24,6 +27,41 @@ namespace stickslip
 
 
 
+    /// How far each of @p faces, undeformed, may be from the curve that it
+    /// follows: the rise of an arc over a chord with their angles to each
+    /// other.
+    template <int dim>
+    std::vector<double>
+    rises_over(const FaceShape<dim>                        &shape,
+               const std::vector<const SurfaceFace<dim> *> &faces)
+    {
+      std::vector<Tensor<1, dim>>                   centres, normals;
+      std::map<NodeName, std::vector<unsigned int>> faces_at;
+      for (unsigned int f = 0; f < faces.size(); ++f)
+        {
+          const auto nodes = faces[f]->undeformed_nodes();
+          centres.push_back(interpolate<dim>(shape.at_centre().value, nodes));
+          const Tensor<1, dim> n =
+            outward_normal(*faces[f],
+                           surface_tangents<dim>(shape.at_centre().gradient,
+                                                 nodes));
+          normals.push_back(n / n.norm());
+          for (unsigned int j = 0; j < faces[f]->n_nodes; ++j)
+            faces_at[faces[f]->name(j)].push_back(f);
+        }
+      std::vector<double> rises(faces.size(), 0.);
+      for (const auto &[node, around] : faces_at)
+        for (const unsigned int f : around)
+          for (const unsigned int g : around)
+            rises[f] = std::max(rises[f],
+                                std::abs((centres[g] - centres[f]) *
+                                         (normals[g] - normals[f])) /
+                                  8.);
+      return rises;
+    }
+
+
+
     /// Sums over slave faces that tell how facets change the overlap of round
     /// surfaces.
     template <int dim>
@@ -31,6 +69,7 @@ namespace stickslip
     {
       double n_faces = 0., area = 0., overlap = 0.;
       double squares_of_means = 0., variation = 0.;
+      double rise = 0.; ///< of both surfaces
 
       Tensor<1, dim> normal;
 
@@ -45,8 +84,9 @@ namespace stickslip
         normal += weight * n;
       }
 
+      /// @p rise_of_face: of it and of what is opposite.
       void
-      finish_face()
+      finish_face(const double rise_of_face)
       {
         if (area_of_face > 0.)
           {
@@ -56,6 +96,7 @@ namespace stickslip
             area += area_of_face;
             overlap += overlap_of_face;
             squares_of_means += square_of_mean;
+            rise += area_of_face * rise_of_face;
             variation += std::max(0., square_of_face - square_of_mean);
           }
         area_of_face = overlap_of_face = square_of_face = 0.;
@@ -65,7 +106,7 @@ namespace stickslip
       put_into(ContactAtStart<dim> &start, const MPI_Comm &communicator)
       {
         for (double *sum :
-             {&n_faces, &area, &overlap, &squares_of_means, &variation})
+             {&n_faces, &area, &overlap, &squares_of_means, &variation, &rise})
           *sum = Utilities::MPI::sum(*sum, communicator);
         normal = Utilities::MPI::sum(normal, communicator);
         if (n_faces < fewest_faces || normal.norm() > flat * area)
@@ -73,7 +114,10 @@ namespace stickslip
         const double mean    = overlap / area;
         const double ripple  = std::sqrt(variation / area);
         const double between = squares_of_means / area - mean * mean; // square
-        if (between > Utilities::fixed_power<2>(conforming * ripple))
+        // more than facets can make is the shape of the gap: of a roller in a
+        // tube, the larger its faces the more
+        if (between > Utilities::fixed_power<2>(conforming * ripple) ||
+            ripple > rise / area)
           return;
         start.mean_overlap = mean;
         start.facet_ripple = ripple;
@@ -112,6 +156,14 @@ namespace stickslip
     std::set<FaceId>          owned; // the others are those of other ranks
     for (const auto &slave : pair.slave_faces)
       owned.insert(slave.face.id);
+    std::vector<const SurfaceFace<dim> *> slaves, masters;
+    for (const MortarFace<dim> &slave : surface.mortar_faces())
+      slaves.push_back(&slave.face);
+    if (patch.tool() == nullptr)
+      for (unsigned int m = 0; m < patch.n_faces(); ++m)
+        masters.push_back(&patch.face(m));
+    const auto     slave_rises  = rises_over(surface.slave_shape(), slaves);
+    const auto     master_rises = rises_over(patch.face_shape(), masters);
     Extremes<dim>  extremes;
     FacetSums<dim> sums;
     for (unsigned int f = 0; f < surface.mortar_faces().size(); ++f)
@@ -120,14 +172,19 @@ namespace stickslip
         const FaceSegments<dim> &segments = surface.segments(f);
         if (owned.count(slave.face.id) == 0)
           continue;
+        double rise_opposite = 0.;
         for (const auto &point : segments.points)
           {
+            if (patch.tool() == nullptr)
+              rise_opposite =
+                std::max(rise_opposite,
+                         master_rises[segments.masters[point.master]]);
             const SegmentDepth<dim> there = segment_depth(
               surface.slave_shape(), slave, segments, point, patch);
             extremes.add(there.depth, Point<dim>(there.x));
             sums.add_point(point.weight, there.depth, there.n);
           }
-        sums.finish_face();
+        sums.finish_face(slave_rises[f] + rise_opposite);
       }
     if (facets_count(pair))
       sums.put_into(start, communicator);
