@@ -1,10 +1,11 @@
 #include <stickslip/simulation/motion_warnings.h>
 
+#include <stickslip/base/short_number.h>
+
 #include <stickslip/problem/rigid_part.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <sstream>
 
 namespace stickslip
@@ -137,14 +138,14 @@ namespace stickslip
           }
         std::ostringstream text;
         text
-          << std::setprecision(2) << "body '" << bodies.bodies[body->body].name
-          << "' has turned by " << angle * 180. / numbers::PI
+          << "body '" << bodies.bodies[body->body].name << "' has turned by "
+          << rough_number(angle * 180. / numbers::PI)
           << " degrees, but 'Materials/" << body->material
           << "/Law = " << body->law
           << "' is for small strains and rotations: its strains are wrong by "
              "half the square of the angle ("
-          << 50. * angle * angle
-          << " %), and its forces do not balance where it is now. "
+          << percent(0.5 * angle * angle)
+          << "), and its forces do not balance where it is now. "
              "Take a law for large strains (St Venant-Kirchhoff, "
              "neo-Hookean, Hencky, Simo-Miehe).";
         texts.push_back(text.str());
