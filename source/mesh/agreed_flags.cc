@@ -108,35 +108,38 @@ namespace stickslip
         }
       return any;
     }
-
-
-
-    template <int dim>
-    void
-    agree_on_flags(parallel::distributed::Triangulation<dim> &triangulation)
-    {
-      Levels levels = wanted_levels(triangulation);
-      for (bool any = true; any;)
-        {
-          send_to_ghosts(triangulation, levels);
-          any = raise_to_neighbours(triangulation, levels);
-          any = keep_families(triangulation, levels) || any;
-          any = any_rank(any, triangulation.get_communicator());
-        }
-      for (const auto &cell : triangulation.active_cell_iterators())
-        {
-          cell->clear_refine_flag();
-          cell->clear_coarsen_flag();
-          if (!cell->is_locally_owned())
-            continue;
-          const int level = levels[cell->active_cell_index()];
-          if (level > cell->level())
-            cell->set_refine_flag();
-          else if (level < cell->level())
-            cell->set_coarsen_flag();
-        }
-    }
   } // namespace
+
+
+
+  template <int dim>
+  bool
+  agree_on_flags(parallel::distributed::Triangulation<dim> &triangulation)
+  {
+    Levels levels = wanted_levels(triangulation);
+    for (bool any = true; any;)
+      {
+        send_to_ghosts(triangulation, levels);
+        any = raise_to_neighbours(triangulation, levels);
+        any = keep_families(triangulation, levels) || any;
+        any = any_rank(any, triangulation.get_communicator());
+      }
+    bool any_flag = false;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      {
+        cell->clear_refine_flag();
+        cell->clear_coarsen_flag();
+        if (!cell->is_locally_owned())
+          continue;
+        const int level = levels[cell->active_cell_index()];
+        if (level > cell->level())
+          cell->set_refine_flag();
+        else if (level < cell->level())
+          cell->set_coarsen_flag();
+        any_flag = any_flag || level != cell->level();
+      }
+    return any_rank(any_flag, triangulation.get_communicator());
+  }
 
 
 
@@ -158,6 +161,10 @@ namespace stickslip
     connection.disconnect();
   }
 
+  template bool
+  agree_on_flags(parallel::distributed::Triangulation<2> &);
+  template bool
+  agree_on_flags(parallel::distributed::Triangulation<3> &);
   template void
   execute_agreed_flags(parallel::distributed::Triangulation<2> &);
   template void

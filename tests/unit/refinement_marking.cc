@@ -6,6 +6,8 @@
 
 #include <stickslip/adaptivity/refinement_marking.h>
 
+#include <stickslip/mesh/agreed_flags.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <cmath>
@@ -258,4 +260,22 @@ main(int argc, char **argv)
     [](const Point<2> &) { return 0.; },
     false,
     mesh);
+
+  // Three of four siblings want to be coarser, then all of them do.
+  auto &triangulation = dynamic_cast<DistributedMesh &>(*mesh.triangulation);
+  for (const double most : {3., 4.})
+    {
+      for (const auto &cell : triangulation.active_cell_iterators())
+        {
+          cell->clear_refine_flag();
+          cell->clear_coarsen_flag();
+          const Point<2> p = cell->center();
+          if (cell->is_locally_owned() && cell->level() == 1 && p[0] < 1. &&
+              p[1] > 1. && p[1] < 2. && 2. * p[0] + p[1] < most)
+            cell->set_coarsen_flag();
+        }
+      const bool any = agree_on_flags(triangulation);
+      print(std::string("a mesh with other cells: ") + (any ? "yes" : "no"));
+      print_flags(triangulation);
+    }
 }

@@ -8,6 +8,15 @@ namespace stickslip
   using namespace dealii;
 
   /**
+   * Replaces the flags of the cells of @p triangulation by those that
+   * execute_agreed_flags() executes. Returns whether there are any: whether the
+   * mesh is to change. Collective.
+   */
+  template <int dim>
+  bool
+  agree_on_flags(parallel::distributed::Triangulation<dim> &triangulation);
+
+  /**
    * Refines and coarsens the cells of @p triangulation that have flags, after
    * the ranks have agreed on flags that can be executed as they are: a cell
    * becomes coarser only with all its siblings, and the levels of cells that
