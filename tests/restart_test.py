@@ -336,8 +336,8 @@ def test_refused(runs):
         refused(damage, "half-2", ["damaged", file, f"half-2/{other}"])
     description = runs.directory / f"half-2/{latest}/description"
     text = description.read_text()
-    description.write_text(text.replace("stickslip checkpoint 8", "stickslip checkpoint 7", 1))
-    refused("an older format", "half-2", ["another version", "format is 7", "reads format 8"])
+    description.write_text(text.replace("stickslip checkpoint 9", "stickslip checkpoint 8", 1))
+    refused("an older format", "half-2", ["another version", "format is 8", "reads format 9"])
     description.write_text(text)
     (runs.directory / file).write_bytes(data)
     (runs.directory / file).unlink()

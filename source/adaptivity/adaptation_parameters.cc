@@ -72,7 +72,10 @@ namespace stickslip
                "Which steps are solved once more, from where they began, on a "
                "mesh that is finer where their solution wants that, until it "
                "does not, or for few cells only. 'first step': the first in "
-               "which anything is strained, or a rule selects cells.");
+               "which anything is strained, or a rule selects cells, and later "
+               "ones whose estimated error is more than five times the largest "
+               "before, as when contact begins between bodies that a weak "
+               "spring or gravity has held.");
     prm.add_parameter("Most repetitions",
                       most_repetitions,
                       "Of one step.",

@@ -20,7 +20,7 @@ namespace stickslip
   namespace
   {
     const std::string checkpoint_mark   = "stickslip checkpoint ";
-    const std::string checkpoint_format = "8";
+    const std::string checkpoint_format = "9";
     const std::string checkpoint_first_line =
       checkpoint_mark + checkpoint_format;
     const std::string checkpoint_last_line = "end";
@@ -234,6 +234,7 @@ namespace stickslip
         << "\nadaptations = " << scalars.adaptation.adaptations
         << "\nenergy norm = " << scalars.energy_norm
         << "\nadaptation has begun = " << scalars.adaptation.has_begun
+        << "\nlargest estimated error = " << scalars.adaptation.largest_error
         << "\ngeometry =";
     for (const double value : problem.geometry)
       out << ' ' << value;
@@ -302,6 +303,7 @@ namespace stickslip
     read("adaptations", scalars.adaptation.adaptations);
     read("energy norm", scalars.energy_norm);
     read("adaptation has begun", scalars.adaptation.has_begun);
+    read("largest estimated error", scalars.adaptation.largest_error);
     read_list("geometry", problem.geometry);
     problem.properties.clear();
     physics.clear();

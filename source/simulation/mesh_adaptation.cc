@@ -2,6 +2,9 @@
 
 #include <stickslip/adaptivity/refinement_marking.h>
 
+#include <stickslip/base/short_number.h>
+
+#include <stickslip/mesh/agreed_flags.h>
 #include <stickslip/mesh/local_refinement.h>
 
 #include <deal.II/base/mpi.h>
@@ -28,6 +31,13 @@ namespace stickslip
     constexpr unsigned int most_levels_of_an_estimate = 3;
 
 
+
+    /// A step with more than so many times the error of all before it is
+    /// another first step: what was strained until then, by a weak spring or by
+    /// gravity, is not what the case is about. (Loads that grow from nothing in
+    /// equal steps have twice the error in the second one, contact between
+    /// curved bodies three times.)
+    constexpr double jump_of_error = 5.;
 
     /// Meshes are made for the error of the state before: estimates are often a
     /// little larger than the target.
@@ -134,17 +144,29 @@ namespace stickslip
 
   template <int dim>
   bool
+  MeshAdaptation<dim>::is_first_of_its_kind() const
+  {
+    return !done.has_begun || repetitions > 0 ||
+           error.get()->error > jump_of_error * done.largest_error;
+  }
+
+
+
+  template <int dim>
+  bool
   MeshAdaptation<dim>::wants_repetition(ContactProblem<dim>   &problem,
                                         const LA::BlockVector &x)
   {
-    const bool is_repeated =
-      parameters.repetition == Repetition::every_step ||
-      (parameters.repetition == Repetition::first_step && !done.has_begun);
-    if (!is_active() || !is_repeated ||
+    if (!is_active() || parameters.repetition == Repetition::never ||
         repetitions == parameters.most_repetitions)
+      return false;
+    const bool is_every = parameters.repetition == Repetition::every_step;
+    if (!is_every && done.has_begun && error.is_of_rule())
       return false;
     levels = 1;
     make_estimate(problem, x);
+    if (!is_every && !is_first_of_its_kind())
+      return false;
     const bool is_wanted = should_be_finer(mark());
     repetitions += is_wanted ? 1 : 0;
     return is_wanted;
@@ -158,7 +180,11 @@ namespace stickslip
                                    const LA::BlockVector &x)
   {
     error.update(problem, x);
-    done.has_begun |= is_active() && error.get()->marks_something();
+    if (!is_active())
+      return;
+    done.has_begun |= error.get()->marks_something();
+    if (!error.is_of_rule())
+      done.largest_error = std::max(done.largest_error, error.get()->error);
   }
 
 
@@ -182,10 +208,9 @@ namespace stickslip
       return {}; // the mesh has yet to follow
     has_warned = true;
     std::ostringstream text;
-    text.precision(2);
-    text << "the estimated error is " << 100. * estimate->relative()
-         << " % of the energy norm of the state, 'Adaptation/Error target' is "
-         << 100. * parameters.error_target << " %: "
+    text << "the estimated error is " << percent(estimate->relative())
+         << " of the energy norm of the state, 'Adaptation/Error target' is "
+         << percent(parameters.error_target) << ": "
          << (kept.by_levels >= much
                ? "'Most levels' = " + std::to_string(parameters.most_levels)
                : "'Most cells' = " + std::to_string(parameters.most_cells))
@@ -202,11 +227,13 @@ namespace stickslip
     if (error.get() == nullptr || !error.get()->says_something() ||
         parameters.every == 0 || step == 0 || step % parameters.every > 0)
       return false;
-    levels               = 1;
-    const Flagged wanted = mark();
-    return should_be_finer(wanted) ||
-           wanted.coarsened >
-             worthwhile_share_of_coarse_cells * p4est->n_global_active_cells();
+    levels                  = 1;
+    const Flagged wanted    = mark();
+    const bool    is_wanted = should_be_finer(wanted) ||
+                           wanted.coarsened > worthwhile_share_of_coarse_cells *
+                                                p4est->n_global_active_cells();
+    // cells become coarser with all their siblings only: perhaps none does
+    return is_wanted && agree_on_flags(*p4est);
   }
 
 
@@ -274,6 +301,8 @@ namespace stickslip
     else if (is_active() && scalars.energy_norm >= 0.)
       error.resume(indicators, scalars.energy_norm, p4est->get_communicator());
     done.has_begun &= is_same;
+    if (!is_same)
+      done.largest_error = 0.;
   }
 
 
@@ -301,10 +330,8 @@ namespace stickslip
     const double change = relative_change(before, now);
     force_change        = std::max(force_change, change);
     std::ostringstream text;
-    text.precision(2);
     text << "equilibrium on the new mesh: " << iterations
-         << " Newton iterations, contact forces changed by " << 100. * change
-         << " %";
+         << " Newton iterations, contact forces changed by " << percent(change);
     return text.str();
   }
 

@@ -21,6 +21,8 @@ namespace stickslip
     /// An accepted step had something that cells were marked by: 'first step'
     /// is over.
     bool has_begun = false;
+    /// Of the estimates of accepted steps; 0: none, or those of a rule.
+    double largest_error = 0.;
   };
 
 

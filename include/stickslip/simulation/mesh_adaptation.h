@@ -180,6 +180,11 @@ namespace stickslip
       return mark(*error.get());
     }
 
+    /// Whether the step that the present estimate is of, or one that has been
+    /// repeated already, is a first step (Repetition::first_step).
+    bool
+    is_first_of_its_kind() const;
+
     /// By the present estimate: whether it is worth another mesh.
     bool
     should_be_finer(const Flagged &flagged) const;
