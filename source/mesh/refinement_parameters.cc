@@ -34,7 +34,7 @@ namespace stickslip
       "'condition': those with a vertex or their centre where Condition is "
       "not zero. 'boundary': those within Distance of Boundary. 'contact': "
       "those of either body of Contact pair within Distance of the other "
-      "one's contact surface.");
+      "one's contact surface; a rigid tool has no cells, but a surface.");
     prm.add_parameter("Levels",
                       levels,
                       "How often, after 'Mesh/Global refinements': each level "

@@ -1,10 +1,12 @@
 #include <stickslip/mesh/refinement_rule.h>
 
+#include <stickslip/base/in_space.h>
 #include <stickslip/base/parsed_expression.h>
 #include <stickslip/base/user_error.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <string>
 
@@ -12,6 +14,13 @@ namespace stickslip
 {
   namespace
   {
+    /// Of cells that may be near a tool, to an eighth of them; in 2D a
+    /// sixteenth.
+    template <int dim>
+    constexpr unsigned int halvings_beside_tools = dim == 2 ? 4 : 3;
+
+
+
     template <int dim>
     double
     smallest_coarse_face(const Triangulation<dim>           &triangulation,
@@ -76,6 +85,46 @@ namespace stickslip
 
 
 
+    /// Whether a part of @p box is within @p distance of what has
+    /// @p distance_from; it is halved that often to find out.
+    template <int dim>
+    bool
+    is_within(const BoundingBox<dim>                        &box,
+              const double                                   distance,
+              const std::function<double(const Point<3> &)> &distance_from,
+              const unsigned int                             halvings)
+    {
+      const Point<dim> low   = box.get_boundary_points().first;
+      const Point<dim> high  = box.get_boundary_points().second;
+      const double     reach = 0.5 * low.distance(high);
+      const double     middle =
+        distance_from(Point<3>(in_space<dim>(Tensor<1, dim>(box.center()))));
+      if (middle <= distance)
+        return true;
+      // where the surface has ended the distance is not known
+      const bool may_be = !std::isfinite(middle) || middle - reach <= distance;
+      if (halvings == 0 || reach == 0. || !may_be)
+        return may_be && std::isfinite(middle) && reach > 0.;
+      for (unsigned int part = 0; part < (1U << dim); ++part)
+        {
+          Point<dim> corner = low, opposite = box.center();
+          for (unsigned int d = 0; d < dim; ++d)
+            if ((part >> d) & 1U)
+              {
+                corner[d]   = box.center()[d];
+                opposite[d] = high[d];
+              }
+          if (is_within(BoundingBox<dim>({corner, opposite}),
+                        distance,
+                        distance_from,
+                        halvings - 1))
+            return true;
+        }
+      return false;
+    }
+
+
+
     template <int dim>
     bool
     holds_at(const FunctionParser<3> &condition, const Point<dim> &p)
@@ -133,7 +182,9 @@ namespace stickslip
                                    parameters.boundary};
         add_vicinity(surface.body, ids_of(surface), {});
       }
-    if (parameters.type == RefinementType::contact)
+    if (request.distance_from_tool)
+      beside_tool = bodies.index_of(request.slave.body, request.path);
+    else if (parameters.type == RefinementType::contact)
       {
         const auto slave   = ids_of(request.slave);
         const auto master  = ids_of(request.master);
@@ -174,6 +225,11 @@ namespace stickslip
           return holds_at(*condition, box.center());
         case RefinementType::boundary:
         case RefinementType::contact:
+          if (request.distance_from_tool)
+            return body == beside_tool && is_within(box,
+                                                    parameters.distance,
+                                                    request.distance_from_tool,
+                                                    halvings_beside_tools<dim>);
           return std::any_of(
             vicinities.begin(),
             vicinities.end(),

@@ -12,6 +12,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
+#include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -147,6 +149,43 @@ namespace stickslip
 
 
 
+    template <int dim>
+    ToolSurface<dim>
+    given_surface(const BodyParameters &parameters, const std::string &path)
+    {
+      const Reader read{parameters.generator,
+                        generator_arguments(parameters.generator,
+                                            parameters.arguments,
+                                            dim,
+                                            path),
+                        path + "/Arguments"};
+      return surface_of(read, static_cast<const ToolSurface<dim> *>(nullptr));
+    }
+
+
+
+    template <int dim>
+    std::function<double(const Point<3> &)>
+    distance_in(const BodyParameters &parameters, const std::string &path)
+    {
+      const auto           motion = body_motion<dim>(parameters, path);
+      const Tensor<2, dim> back   = invert(motion.linear);
+      return [surface = given_surface<dim>(parameters, path), motion, back](
+               const Point<3> &p) {
+        Tensor<1, dim> x;
+        for (unsigned int d = 0; d < dim; ++d)
+          x[d] = p[d];
+        const auto foot =
+          surface.closest(Point<dim>(back * (x - motion.shift)));
+        if (!foot.found)
+          return std::numeric_limits<double>::infinity();
+        const Tensor<1, dim> nearest = surface.evaluate(foot.chart, foot.xi).x;
+        return (x - motion.linear * nearest - motion.shift).norm();
+      };
+    }
+
+
+
     /// Vertices of a cell that span it.
     template <int dim>
     std::vector<unsigned int>
@@ -205,12 +244,7 @@ namespace stickslip
                    const DoFHandler<dim>              &dof_handler,
                    const MPI_Comm                     &communicator)
   {
-    const Reader read{parameters.generator,
-                      generator_arguments(
-                        parameters.generator, parameters.arguments, dim, path),
-                      path + "/Arguments"};
-    const auto   surface =
-      surface_of(read, static_cast<const ToolSurface<dim> *>(nullptr));
+    const auto surface = given_surface<dim>(parameters, path);
 
     ToolMaster<dim>  master;
     const auto       own = local_frame(boundary, dof_handler);
@@ -231,6 +265,17 @@ namespace stickslip
     master.tool = std::make_shared<RigidTool<dim>>(
       RigidTool<dim>{surface, ToolFrame<dim>(nodes)});
     return master;
+  }
+
+
+
+  std::function<double(const Point<3> &)>
+  distance_from_tool(const BodyParameters &parameters,
+                     const std::string    &path,
+                     const unsigned int    dim)
+  {
+    return dim == 2 ? distance_in<2>(parameters, path)
+                    : distance_in<3>(parameters, path);
   }
 
 #define INSTANTIATE(dim)                     \

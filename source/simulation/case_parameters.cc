@@ -6,6 +6,8 @@
 #include <stickslip/base/print_parameters.h>
 #include <stickslip/base/user_error.h>
 
+#include <stickslip/problem/rigid_tools.h>
+
 #include <stickslip/simulation/pair_checks.h>
 
 #include <algorithm>
@@ -319,7 +321,7 @@ namespace stickslip
     std::vector<RefinementRequest> requests;
     for (const auto &[name, rule] : refinement)
       {
-        requests.push_back({"Refinement/" + name, rule, {}, {}});
+        requests.push_back({"Refinement/" + name, rule, {}, {}, {}});
         if (rule.contact_pair.empty())
           continue;
         const auto &pair = pair_called(rule.contact_pair, "Refinement/" + name);
@@ -330,6 +332,10 @@ namespace stickslip
         requests.back().master = {path + "/Master boundary",
                                   pair.master_body,
                                   pair.master_boundary};
+        for (const auto &[body, of_body] : bodies)
+          if (body == pair.master_body && of_body.is_tool())
+            requests.back().distance_from_tool =
+              distance_from_tool(of_body, "Bodies/" + body, dimension);
       }
     return requests;
   }

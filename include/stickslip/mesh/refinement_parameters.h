@@ -5,7 +5,9 @@
 #include <stickslip/mesh/named_surface.h>
 
 #include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/point.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -62,6 +64,10 @@ namespace stickslip
     RefinementParameters parameters;
     NamedSurface         slave;
     NamedSurface         master;
+
+    /// Of an undeformed place from the master, infinity where the surface has
+    /// ended [length]. Empty: the master is no rigid tool, which has no faces.
+    std::function<double(const Point<3> &)> distance_from_tool = {};
   };
 } // namespace stickslip
 

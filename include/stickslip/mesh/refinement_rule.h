@@ -53,6 +53,8 @@ namespace stickslip
     std::set<unsigned int>             of_bodies;
     std::unique_ptr<FunctionParser<3>> condition;
     std::vector<Vicinity>              vicinities;
+    /// The body whose cells near a rigid tool are concerned.
+    unsigned int beside_tool = numbers::invalid_unsigned_int;
 
     bool
     concerns_body(const CellIterator &cell) const;

@@ -5,6 +5,7 @@
 
 #include <stickslip/mesh/body.h>
 
+#include <functional>
 #include <set>
 #include <string>
 
@@ -23,6 +24,14 @@ namespace stickslip
                    const std::set<types::boundary_id> &boundary,
                    const DoFHandler<dim>              &dof_handler,
                    const MPI_Comm                     &communicator);
+
+  /// The distance of a place from that surface where nothing has moved, in
+  /// @p dim dimensions; infinity if no point of it is the closest one. Throws
+  /// UserError (same on all ranks) if there is no such surface.
+  std::function<double(const Point<3> &)>
+  distance_from_tool(const BodyParameters &parameters,
+                     const std::string    &path,
+                     const unsigned int    dim);
 } // namespace stickslip
 
 #endif
