@@ -139,14 +139,17 @@ namespace stickslip
         return evaluate_triangle_values(degree(), xi, value);
     std::array<std::array<double, max_nodes_1d>, dim - 1> p;
     for (unsigned int d = 0; d < dim - 1; ++d)
-      if (n_1d == 2)
-        {
-          p[d][0] = 1. - xi[d];
-          p[d][1] = xi[d];
-        }
-      else
-        for (unsigned int i = 0; i < n_1d; ++i)
-          p[d][i] = basis[i].value(xi[d]);
+      {
+        const double x = xi[d];
+        if (n_1d == 2)
+          p[d] = {{1. - x, x}};
+        else if (n_1d == 3)
+          p[d] = {
+            {(1. - x) * (1. - 2. * x), 4. * x * (1. - x), x * (2. * x - 1.)}};
+        else
+          for (unsigned int i = 0; i < n_1d; ++i)
+            p[d][i] = basis[i].value(x);
+      }
 
     value.resize(n_nodes());
     if constexpr (dim == 2)
@@ -192,50 +195,54 @@ namespace stickslip
                                    FaceShapeValues<dim> &shape) const
   {
     // 1D values and two derivatives of every node along every direction
-    std::array<std::array<std::array<double, 3>, dim - 1>, max_nodes_1d> p;
+    std::array<std::array<std::array<double, 3>, max_nodes_1d>, dim - 1> p;
     for (unsigned int d = 0; d < dim - 1; ++d)
-      if (n_1d == 2)
-        {
-          p[0][d] = {{1. - xi[d], -1., 0.}};
-          p[1][d] = {{xi[d], 1., 0.}};
-        }
-      else
-        for (unsigned int i = 0; i < n_1d; ++i)
-          basis[i].value(xi[d], with_hessians ? 2 : 1, p[i][d].data());
+      {
+        const double x = xi[d];
+        auto        &f = p[d];
+        if (n_1d == 2)
+          {
+            f[0] = {{1. - x, -1., 0.}};
+            f[1] = {{x, 1., 0.}};
+          }
+        else if (n_1d == 3)
+          {
+            f[0] = {{(1. - x) * (1. - 2. * x), 4. * x - 3., 4.}};
+            f[1] = {{4. * x * (1. - x), 4. - 8. * x, -8.}};
+            f[2] = {{x * (2. * x - 1.), 4. * x - 1., 4.}};
+          }
+        else
+          for (unsigned int i = 0; i < n_1d; ++i)
+            basis[i].value(x, with_hessians ? 2 : 1, f[i].data());
+      }
 
     shape.value.resize(n_nodes());
     shape.gradient.resize(n_nodes());
     if (with_hessians)
       shape.hessian.resize(n_nodes());
-    std::array<unsigned int, dim - 1> i{}; // of node j along the directions
-    for (unsigned int j = 0; j < n_nodes(); ++j)
-      {
-        const auto product = [&](const auto &order) {
-          double result = p[i[0]][0][order[0]];
-          if constexpr (dim == 3)
-            result *= p[i[1]][1][order[1]];
-          return result;
-        };
-        std::array<unsigned int, dim - 1> order{};
-        shape.value[j] = product(order);
-        for (unsigned int a = 0; a < dim - 1; ++a)
+    if constexpr (dim == 2)
+      for (unsigned int j = 0; j < n_1d; ++j)
+        {
+          shape.value[j]       = p[0][j][0];
+          shape.gradient[j][0] = p[0][j][1];
+          if (with_hessians)
+            shape.hessian[j][0][0] = p[0][j][2];
+        }
+    else
+      for (unsigned int k = 0, j = 0; k < n_1d; ++k)
+        for (unsigned int i = 0; i < n_1d; ++i, ++j)
           {
-            ++order[a];
-            shape.gradient[j][a] = product(order);
-            for (unsigned int b = 0; with_hessians && b < dim - 1; ++b)
-              {
-                ++order[b];
-                shape.hessian[j][a][b] = product(order);
-                --order[b];
-              }
-            --order[a];
+            const auto &f        = p[0][i];
+            const auto &g        = p[1][k];
+            shape.value[j]       = f[0] * g[0];
+            shape.gradient[j][0] = f[1] * g[0];
+            shape.gradient[j][1] = f[0] * g[1];
+            if (!with_hessians)
+              continue;
+            shape.hessian[j][0][0] = f[2] * g[0];
+            shape.hessian[j][1][1] = f[0] * g[2];
+            shape.hessian[j][0][1] = shape.hessian[j][1][0] = f[1] * g[1];
           }
-        if (++i[0] == n_1d)
-          {
-            i[0] = 0;
-            ++i[dim - 2];
-          }
-      }
   }
 
   template class FaceShape<2>;
