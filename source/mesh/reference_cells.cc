@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <vector>
 
 namespace stickslip
 {
@@ -99,6 +101,50 @@ namespace stickslip
 
 
 
+  namespace
+  {
+    /// Within edges and faces deal.II numbers component after component, which
+    /// are nodes after nodes only if there is one of them (up to degree 2).
+    template <int dim>
+    void
+    number_by_nodes(DoFHandler<dim> &dof_handler)
+    {
+      if (dof_handler.get_fe_collection().max_degree() < 3)
+        return;
+      const IndexSet &owned = dof_handler.locally_owned_dofs();
+      // the dofs of a node by the smallest one
+      std::map<types::global_dof_index, std::vector<types::global_dof_index>>
+                                           nodes;
+      std::vector<types::global_dof_index> dofs;
+      for (const auto &cell : dof_handler.active_cell_iterators())
+        {
+          if (!cell->is_locally_owned())
+            continue;
+          const FiniteElement<dim> &fe = cell->get_fe();
+          dofs.resize(fe.n_dofs_per_cell());
+          cell->get_dof_indices(dofs);
+          for (unsigned int a = 0; a < fe.base_element(0).n_dofs_per_cell();
+               ++a)
+            {
+              std::vector<types::global_dof_index> node;
+              for (unsigned int c = 0; c < fe.n_components(); ++c)
+                node.push_back(dofs[fe.component_to_system_index(c, a)]);
+              if (owned.is_element(node.front()))
+                nodes[*std::min_element(node.begin(), node.end())] = node;
+            }
+        }
+      std::vector<types::global_dof_index> new_numbers(owned.n_elements());
+      unsigned int                         next = 0;
+      for (const auto &[smallest, node] : nodes)
+        for (const auto dof : node)
+          new_numbers[owned.index_within_set(dof)] =
+            owned.nth_index_in_set(next++);
+      dof_handler.renumber_dofs(new_numbers);
+    }
+  } // namespace
+
+
+
   template <int dim>
   void
   distribute_dofs(const hp::FECollection<dim> &elements,
@@ -111,6 +157,7 @@ namespace stickslip
             if (elements[kind].reference_cell() == cell->reference_cell())
               cell->set_active_fe_index(kind);
     dof_handler.distribute_dofs(elements);
+    number_by_nodes(dof_handler);
   }
 
 

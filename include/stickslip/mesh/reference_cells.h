@@ -61,7 +61,8 @@ namespace stickslip
                        const unsigned int                degree);
 
   /// Numbers degrees of freedom, those of each cell with the one of
-  /// @p elements that is for its kind. Collective.
+  /// @p elements that is for its kind; all components of a node one after the
+  /// other. Collective.
   template <int dim>
   void
   distribute_dofs(const hp::FECollection<dim> &elements,
