@@ -18,12 +18,15 @@ namespace stickslip
     NodePlaces         places;
     places.bodies.resize(n_nodes, numbers::invalid_unsigned_int);
     places.positions.resize(n_nodes);
+    places.reaches.resize(n_nodes, 0.);
     std::vector<types::global_dof_index> dofs;
     for (const auto &cell : dof_handler.active_cell_iterators())
       {
-        if (!cell->is_locally_owned())
+        // ghosts, too, are around owned nodes
+        if (cell->is_artificial())
           continue;
-        const FiniteElement<dim> &fe = cell->get_fe();
+        const double              diameter = cell->diameter();
+        const FiniteElement<dim> &fe       = cell->get_fe();
         dofs.resize(fe.n_dofs_per_cell());
         cell->get_dof_indices(dofs);
         for (unsigned int i = 0; i < dofs.size(); ++i)
@@ -33,6 +36,7 @@ namespace stickslip
             const unsigned int node = owned.index_within_set(dofs[i]) / dim;
             AssertDimension(owned.index_within_set(dofs[i]) % dim,
                             fe.system_to_component_index(i).first);
+            places.reaches[node] = std::max(places.reaches[node], diameter);
             if (places.bodies[node] != numbers::invalid_unsigned_int)
               continue; // another component, or in another cell
             places.bodies[node] = bodies.body_of(cell->material_id());

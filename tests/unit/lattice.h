@@ -12,6 +12,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace
@@ -81,6 +82,8 @@ namespace
                             owned.index_within_set(3 * i + c)] =
                 rigid_mode<3>(m, stretched(i) / n)[c];
           modes->nodes.positions.push_back(stretched(i));
+          modes->nodes.reaches.push_back(
+            std::sqrt(2. * stretch * stretch + 1.));
         }
       description.near_null_space = modes;
     }

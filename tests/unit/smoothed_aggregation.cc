@@ -109,7 +109,7 @@ namespace
 
     const Modes modes = lattice.modes();
     const auto  aggregates =
-      find_aggregates(A, single_nodes(A.n_rows()), modes.nodes.bodies);
+      find_aggregates(A, single_nodes(A.n_rows()), modes.nodes);
     const auto tentative = tentative_prolongation(space, aggregates, modes);
 
     bool all_are_in = true, is_in_one_body = true;

@@ -5,6 +5,7 @@
 
 #include <deal.II/base/point.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -16,6 +17,21 @@ namespace stickslip
   {
     std::vector<unsigned int> bodies;
     std::vector<Point<3>>     positions; ///< undeformed; in the plane z is 0
+    std::vector<double> reaches; ///< diameter of the largest cell around a node
+
+    /// Whether two nodes may be in one cell. A matrix couples others, too: over
+    /// contact and along contact surfaces, by reference points, and the two
+    /// sides of periodic boundaries. Always in a body without reaches.
+    bool
+    may_share_cell(const unsigned int a, const unsigned int b) const
+    {
+      return bodies[a] == bodies[b] &&
+             (reaches.empty() || positions[a].distance(positions[b]) <=
+                                   roundoff * std::min(reaches[a], reaches[b]));
+    }
+
+  private:
+    static constexpr double roundoff = 1.001;
   };
 
 

@@ -59,10 +59,10 @@ namespace stickslip
           height += A.height(node);
         }
       std::vector<double> block(size * size, 0.);
-      bool                has_diagonal = false;
       for (const unsigned int node : nodes)
         {
-          const double *panel = A.panel(node);
+          bool          has_diagonal = false;
+          const double *panel        = A.panel(node);
           for (auto k = A.column_begin(node); k < A.column_begin(node + 1); ++k)
             {
               const unsigned int other = A.column(k);
@@ -75,8 +75,8 @@ namespace stickslip
                                 offsets[other]);
               panel += A.block_width(k);
             }
+          AssertThrow(has_diagonal, ExcMessage("A diagonal block is zero."));
         }
-      AssertThrow(has_diagonal, ExcMessage("A diagonal block is zero."));
       return block;
     }
   } // namespace

@@ -13,7 +13,7 @@ namespace stickslip
     constexpr unsigned int n_power_steps = 10;
 
     /// Some ten microseconds of work, beside which a call of MPI is nothing.
-    constexpr unsigned int nodes_between_calls = 64;
+    constexpr unsigned int clusters_between_calls = 64;
   } // namespace
 
 
@@ -135,7 +135,7 @@ namespace stickslip
     for (unsigned int k = first; k < end; ++k)
       {
         visit(order[k]);
-        if (k % nodes_between_calls == 0)
+        if (k % clusters_between_calls == 0)
           exchange.progress();
       }
   }
@@ -151,7 +151,7 @@ namespace stickslip
     for (unsigned int k = end; k-- > first;)
       {
         visit(order[k]);
-        if (k % nodes_between_calls == 0)
+        if (k % clusters_between_calls == 0)
           exchange.progress();
       }
   }

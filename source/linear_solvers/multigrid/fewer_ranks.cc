@@ -24,7 +24,7 @@ namespace stickslip
     {
       std::vector<unsigned int> sizes, bodies;
       std::vector<Point<3>>     positions;
-      std::vector<double>       modes;
+      std::vector<double>       reaches, modes;
 
       void
       append(const Part &other)
@@ -34,6 +34,9 @@ namespace stickslip
         positions.insert(positions.end(),
                          other.positions.begin(),
                          other.positions.end());
+        reaches.insert(reaches.end(),
+                       other.reaches.begin(),
+                       other.reaches.end());
         modes.insert(modes.end(), other.modes.begin(), other.modes.end());
       }
 
@@ -42,7 +45,7 @@ namespace stickslip
       void
       serialize(Archive &archive, const unsigned int)
       {
-        archive &sizes &bodies &positions &modes;
+        archive &sizes &bodies &positions &reaches &modes;
       }
     };
 
@@ -84,6 +87,7 @@ namespace stickslip
       part.sizes.push_back(nodes.size(node));
     part.bodies    = std::move(modes.nodes.bodies);
     part.positions = std::move(modes.nodes.positions);
+    part.reaches   = std::move(modes.nodes.reaches);
     part.modes     = std::move(modes.values);
 
     const MPI_Comm communicator = nodes.communicator();
@@ -102,6 +106,7 @@ namespace stickslip
     nodes                 = NodeSpace(part.sizes, communicator);
     modes.nodes.bodies    = std::move(part.bodies);
     modes.nodes.positions = std::move(part.positions);
+    modes.nodes.reaches   = std::move(part.reaches);
     modes.values          = std::move(part.modes);
   }
 } // namespace stickslip

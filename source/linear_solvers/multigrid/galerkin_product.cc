@@ -223,7 +223,8 @@ namespace stickslip
           }
         std::copy(values.begin(), values.end(), of_clusters.panel(cluster));
       }
-    return rows_of_nodes(of_clusters, A, clusters);
+    return clusters.n() == A.n_rows() ? std::move(of_clusters)
+                                      : rows_of_nodes(of_clusters, A, clusters);
   }
 
 

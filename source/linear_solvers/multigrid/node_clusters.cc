@@ -21,13 +21,17 @@ namespace stickslip
 
 
 
-    /// The neighbours of a node in its rank and body.
+    static_assert(largest_cluster < 256, "widths of blocks are bytes");
+
+
+
+    /// The neighbours of a node in its rank, body and cells.
     template <typename Visitor>
     void
-    visit_neighbours(const BlockMatrix               &matrix,
-                     const std::vector<unsigned int> &bodies,
-                     const unsigned int               node,
-                     const Visitor                   &visit)
+    visit_neighbours(const BlockMatrix &matrix,
+                     const NodePlaces  &places,
+                     const unsigned int node,
+                     const Visitor     &visit)
     {
       for (auto k = matrix.column_begin(node);
            k < matrix.column_begin(node + 1);
@@ -35,18 +39,15 @@ namespace stickslip
         {
           const unsigned int other = matrix.column(k);
           if (other != node && other < matrix.n_rows() &&
-              bodies[other] == bodies[node])
+              places.may_share_cell(node, other))
             visit(other);
         }
     }
 
 
 
-    /**
-     * The size of the cells around each node: in a lattice of cubes half of the
-     * neighbours are further away than the diagonal of a face. (The furthest
-     * one may be the reference point of a coupling.)
-     */
+    /// The size of the cells around each node: between cubes the median of the
+    /// distances of its neighbours is the diagonal of a face.
     std::vector<double>
     cell_sizes(const BlockMatrix &matrix, const NodePlaces &places)
     {
@@ -54,11 +55,10 @@ namespace stickslip
       for (unsigned int node = 0; node < matrix.n_rows(); ++node)
         {
           distances.clear();
-          visit_neighbours(
-            matrix, places.bodies, node, [&](const unsigned int other) {
-              distances.push_back(
-                places.positions[node].distance(places.positions[other]));
-            });
+          visit_neighbours(matrix, places, node, [&](const unsigned int other) {
+            distances.push_back(
+              places.positions[node].distance(places.positions[other]));
+          });
           sizes.push_back(0.);
           if (distances.empty())
             continue;
@@ -113,7 +113,7 @@ namespace stickslip
           {
             const unsigned int node = clusters.members[k];
             visit_neighbours(
-              matrix, places.bodies, node, [&](const unsigned int other) {
+              matrix, places, node, [&](const unsigned int other) {
                 const Point<3> &there = places.positions[other];
                 if (clusters.of_node[other] == none &&
                     n_unknowns + matrix.height(other) <= largest_cluster &&

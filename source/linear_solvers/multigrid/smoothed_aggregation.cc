@@ -101,12 +101,12 @@ namespace stickslip
     bool are_joined = false;
     while (levels.size() < max_levels && n_unknowns() > largest_coarsest_level)
       {
-        TentativeProlongation tentative = tentative_prolongation(
-          A.column_space(),
+        const Aggregates aggregates =
           find_aggregates(A,
                           levels.back()->smoother.node_clusters(),
-                          modes.nodes.bodies),
-          modes);
+                          modes.nodes);
+        TentativeProlongation tentative =
+          tentative_prolongation(A.column_space(), aggregates, modes);
         if (tentative.coarse.owned_unknowns().size() >
             least_coarsening * n_unknowns())
           {
@@ -114,9 +114,11 @@ namespace stickslip
               break;
             // many small bodies: from here on in one
             std::fill(modes.nodes.bodies.begin(), modes.nodes.bodies.end(), 0);
+            modes.nodes.reaches.clear();
             are_joined = true;
             continue;
           }
+        set_reaches(A, modes.nodes, aggregates, tentative.coarse_modes.nodes);
         move_to_fewer_ranks(tentative.coarse,
                             tentative.coarse_modes,
                             least_unknowns_per_rank);

@@ -20,8 +20,8 @@ namespace stickslip
 
 
   /**
-   * Aggregates of the clusters that @p matrix couples, within each rank and
-   * each of the @p bodies (of the owned nodes): clusters whose neighbourhood is
+   * Aggregates of clusters with nodes in the same cells, within each rank and
+   * body: clusters whose neighbourhood is
    * free with this neighbourhood, then the others with the neighbouring
    * aggregate that they have most connections with (Vanek, Mandel, Brezina
    * 1996). What is left makes aggregates of its own. (Aggregates across contact
@@ -29,9 +29,20 @@ namespace stickslip
    * to a tenth more iterations.)
    */
   Aggregates
-  find_aggregates(const BlockMatrix               &matrix,
-                  const NodeClusters              &clusters,
-                  const std::vector<unsigned int> &bodies);
+  find_aggregates(const BlockMatrix  &matrix,
+                  const NodeClusters &clusters,
+                  const NodePlaces   &places);
+
+
+
+  /// Sets the reaches of @p coarse places: the largest distance to an aggregate
+  /// that has nodes in the same cells. @p matrix and @p fine are those of the
+  /// level that the aggregates are made of.
+  void
+  set_reaches(const BlockMatrix &matrix,
+              const NodePlaces  &fine,
+              const Aggregates  &aggregates,
+              NodePlaces        &coarse);
 
 
 
