@@ -91,19 +91,19 @@ namespace stickslip
     aggregate_free_neighbourhoods(const Neighbourhoods &neighbourhoods,
                                   Aggregates           &aggregates)
     {
-      auto &of_node = aggregates.of_node;
-      for (unsigned int node = 0; node < of_node.size(); ++node)
+      auto &of_cluster = aggregates.of_node; // as long as clusters count
+      for (unsigned int cluster = 0; cluster < of_cluster.size(); ++cluster)
         {
-          bool is_free = of_node[node] == Aggregates::none &&
-                         neighbourhoods.is_coupled(node);
-          neighbourhoods.visit(node, [&](const unsigned int other) {
-            is_free = is_free && of_node[other] == Aggregates::none;
+          bool is_free = of_cluster[cluster] == Aggregates::none &&
+                         neighbourhoods.is_coupled(cluster);
+          neighbourhoods.visit(cluster, [&](const unsigned int other) {
+            is_free = is_free && of_cluster[other] == Aggregates::none;
           });
           if (!is_free)
             continue;
-          of_node[node] = aggregates.n;
-          neighbourhoods.visit(node, [&](const unsigned int other) {
-            of_node[other] = aggregates.n;
+          of_cluster[cluster] = aggregates.n;
+          neighbourhoods.visit(cluster, [&](const unsigned int other) {
+            of_cluster[other] = aggregates.n;
           });
           ++aggregates.n;
         }
@@ -117,12 +117,12 @@ namespace stickslip
     {
       const std::vector<unsigned int> first = aggregates.of_node;
       std::vector<unsigned int>       connections(aggregates.n, 0);
-      for (unsigned int node = 0; node < first.size(); ++node)
+      for (unsigned int cluster = 0; cluster < first.size(); ++cluster)
         {
-          if (first[node] != Aggregates::none)
+          if (first[cluster] != Aggregates::none)
             continue;
-          unsigned int &best = aggregates.of_node[node];
-          neighbourhoods.visit(node, [&](const unsigned int other) {
+          unsigned int &best = aggregates.of_node[cluster];
+          neighbourhoods.visit(cluster, [&](const unsigned int other) {
             if (first[other] != Aggregates::none)
               {
                 const unsigned int n = ++connections[first[other]];
@@ -130,7 +130,7 @@ namespace stickslip
                   best = first[other];
               }
           });
-          neighbourhoods.visit(node, [&](const unsigned int other) {
+          neighbourhoods.visit(cluster, [&](const unsigned int other) {
             if (first[other] != Aggregates::none)
               connections[first[other]] = 0;
           });
@@ -142,16 +142,16 @@ namespace stickslip
     void
     aggregate_rest(const Neighbourhoods &neighbourhoods, Aggregates &aggregates)
     {
-      auto &of_node = aggregates.of_node;
-      for (unsigned int node = 0; node < of_node.size(); ++node)
+      auto &of_cluster = aggregates.of_node; // as long as clusters count
+      for (unsigned int cluster = 0; cluster < of_cluster.size(); ++cluster)
         {
-          if (of_node[node] != Aggregates::none ||
-              !neighbourhoods.is_coupled(node))
+          if (of_cluster[cluster] != Aggregates::none ||
+              !neighbourhoods.is_coupled(cluster))
             continue;
-          of_node[node] = aggregates.n;
-          neighbourhoods.visit(node, [&](const unsigned int other) {
-            if (of_node[other] == Aggregates::none)
-              of_node[other] = aggregates.n;
+          of_cluster[cluster] = aggregates.n;
+          neighbourhoods.visit(cluster, [&](const unsigned int other) {
+            if (of_cluster[other] == Aggregates::none)
+              of_cluster[other] = aggregates.n;
           });
           ++aggregates.n;
         }

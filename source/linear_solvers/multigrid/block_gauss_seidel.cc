@@ -12,7 +12,8 @@ namespace stickslip
   {
     constexpr unsigned int n_power_steps = 10;
 
-    /// Some ten microseconds of work, beside which a call of MPI is nothing.
+    /// Some ten microseconds of work at least, beside which a call of MPI is
+    /// nothing.
     constexpr unsigned int clusters_between_calls = 64;
   } // namespace
 

@@ -18,9 +18,6 @@ namespace stickslip
     /// quadratic cells of 8 : 1 : 1 take a quarter less iterations and 15 %
     /// less time, all others the same.)
     constexpr unsigned int largest_cluster = 48;
-
-
-
     static_assert(largest_cluster < 256, "widths of blocks are bytes");
 
 

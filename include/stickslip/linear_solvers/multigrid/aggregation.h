@@ -21,12 +21,11 @@ namespace stickslip
 
   /**
    * Aggregates of clusters with nodes in the same cells, within each rank and
-   * body: clusters whose neighbourhood is
-   * free with this neighbourhood, then the others with the neighbouring
-   * aggregate that they have most connections with (Vanek, Mandel, Brezina
-   * 1996). What is left makes aggregates of its own. (Aggregates across contact
-   * need the motions of both bodies, so that they are not smaller, and take up
-   * to a tenth more iterations.)
+   * body: clusters whose neighbourhood is free with this neighbourhood, then
+   * the others with the neighbouring aggregate that they have most connections
+   * with (Vanek, Mandel, Brezina 1996). What is left makes aggregates of its
+   * own. (Aggregates across contact need the motions of both bodies, so that
+   * they are not smaller, and take up to a tenth more iterations.)
    */
   Aggregates
   find_aggregates(const BlockMatrix  &matrix,

@@ -10,7 +10,7 @@ namespace stickslip
 {
   /**
    * Gauss-Seidel sweeps that solve for all unknowns of a cluster of nodes at
-   * once, over all ranks: first the clusters beside those of other ranks, rank
+   * once, over all ranks: first the clusters beside nodes of other ranks, rank
    * after rank (see OrderedExchange), then the others, all ranks at the same
    * time. (Sweeps of each rank for itself took up to a fifth more iterations on
    * 4 ranks than on one.)
@@ -22,8 +22,8 @@ namespace stickslip
      * Takes the sweeps from @p A, the columns of which it sorts by their order;
      * @p A is not needed afterwards. Zero pivots (unknowns without stiffness)
      * give zero. Triangles are stored by themselves, in single precision, each
-     * as its sweep reads it. (Linear solves took 1.4 times as
-     * long with half-rows of one matrix.) Collective.
+     * as its sweep reads it. (Linear solves took 1.4 times as long with
+     * half-rows of one matrix.) Collective.
      */
     void
     reinit(BlockMatrix &A, NodeClusters &&clusters);
