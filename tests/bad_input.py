@@ -21,6 +21,7 @@ import bad_adaptations
 import bad_bolts
 import bad_materials
 import bad_motions
+import bad_periodicities
 import bad_problems
 import bad_runs
 import bad_tools
@@ -28,7 +29,7 @@ from bad_words import HERE, WRONG_INPUT
 from program_runs import environment_of
 
 CASES = {**bad_problems.CASES, **bad_materials.CASES, **bad_motions.CASES, **bad_adaptations.CASES, **bad_tools.CASES,
-         **bad_bolts.CASES, **bad_runs.CASES}
+         **bad_bolts.CASES, **bad_periodicities.CASES, **bad_runs.CASES}
 CRASH = ["backtrace", "segmentation", "signal", "aborted", "internal error", "terminate called", "an error occurred in line", "stacktrace"]
 
 
