@@ -124,7 +124,11 @@ namespace stickslip
           {7, 5, 0},
           {4, 6, 1},
           {5, 7, 2},
-          {6, 4, 3}}}};
+          {6, 4, 3}}},
+        {ElementShape::wedge,
+         {{1, 2, 3}, {2, 0, 4}, {0, 1, 5}, {5, 4, 0}, {3, 5, 1}, {4, 3, 2}}},
+        // without its tip, where four edges meet
+        {ElementShape::pyramid, {{1, 3, 4}, {2, 0, 4}, {3, 1, 4}, {0, 2, 4}}}};
       static const Edges none;
       const auto         found = edges.find(shape);
       return found == edges.end() ? none : found->second;
