@@ -22,23 +22,37 @@ namespace stickslip
   void
   BlockGaussSeidel::set_order(const BlockMatrix &A)
   {
-    std::vector<bool> is_first(clusters.n(), false);
+    std::vector<bool> has_earlier(clusters.n(), false);
+    std::vector<bool> has_later(clusters.n(), false);
+    const auto mark = [&](const unsigned int node, const unsigned int rank) {
+      (exchange.is_earlier(rank) ? has_earlier
+                                 : has_later)[clusters.of_node[node]] = true;
+    };
     for (const auto &[rank, nodes] : space.seen_elsewhere())
       for (const auto node : nodes)
-        is_first[clusters.of_node[space.local(node)]] = true;
+        mark(space.local(node), rank);
     // mostly the same ones
     for (unsigned int row = 0; row < A.n_rows(); ++row)
       for (auto k = A.column_begin(row); k < A.column_begin(row + 1); ++k)
         if (A.column(k) >= space.n_owned())
-          is_first[clusters.of_node[row]] = true;
+          mark(row, space.rank_of(space.global(A.column(k))));
+
     order.clear();
-    for (unsigned int cluster = 0; cluster < clusters.n(); ++cluster)
-      if (is_first[cluster])
-        order.push_back(cluster);
-    n_first = order.size();
-    for (unsigned int cluster = 0; cluster < clusters.n(); ++cluster)
-      if (!is_first[cluster])
-        order.push_back(cluster);
+    const auto append = [&](const bool earlier, const bool later) {
+      for (unsigned int cluster = 0; cluster < clusters.n(); ++cluster)
+        if (has_earlier[cluster] == earlier && has_later[cluster] == later)
+          order.push_back(cluster);
+      return order.size();
+    };
+    const auto n_first  = append(false, true);
+    const auto n_inner  = append(false, false) - n_first;
+    const auto n_inside = n_first + n_inner;
+    middle_begin        = n_first + exchange.turn() * n_inner;
+    middle_end          = middle_begin + append(true, true) - n_inside;
+    std::rotate(order.begin() + middle_begin,
+                order.begin() + n_inside,
+                order.end());
+    append(true, false);
   }
 
 
@@ -48,8 +62,8 @@ namespace stickslip
   {
     space    = A.column_space();
     clusters = std::move(of_nodes);
-    set_order(A);
     exchange.reinit(space);
+    set_order(A);
     std::vector<unsigned int> place(space.n_local());
     for (unsigned int k = 0; k < order.size(); ++k)
       for (const unsigned int node : clusters.nodes(order[k]))
@@ -178,10 +192,11 @@ namespace stickslip
         }
       set_from_defect(cluster, x);
     };
+    visit_forwards(0, middle_begin, relax);
     exchange.receive(x, OrderedExchange::Neighbours::earlier);
-    visit_forwards(0, n_first, relax);
+    visit_forwards(middle_begin, middle_end, relax);
     exchange.send(x, OrderedExchange::Neighbours::later);
-    visit_forwards(n_first, order.size(), relax);
+    visit_forwards(middle_end, order.size(), relax);
   }
 
 
@@ -204,10 +219,11 @@ namespace stickslip
         }
       set_from_defect(cluster, x);
     };
-    visit_backwards(n_first, order.size(), relax);
+    visit_backwards(middle_end, order.size(), relax);
     exchange.receive(x, OrderedExchange::Neighbours::later);
-    visit_backwards(0, n_first, relax);
+    visit_backwards(middle_begin, middle_end, relax);
     exchange.send(x, OrderedExchange::Neighbours::earlier);
+    visit_backwards(0, middle_begin, relax);
   }
 
 
@@ -221,14 +237,16 @@ namespace stickslip
     sweep_forwards(x, b, nullptr);
     sweep_backwards(x);
     exchange.send(x, OrderedExchange::Neighbours::later);
-    exchange.receive(x, OrderedExchange::Neighbours::earlier);
     residual.resize(lower_residual.size());
     for (unsigned int i = 0; i < residual.size(); ++i)
       residual[i] = b[i] - lower_residual[i];
-    visit_forwards(0, order.size(), [&](const unsigned int cluster) {
+    const auto subtract = [&](const unsigned int cluster) {
       for (const unsigned int node : clusters.nodes(cluster))
         lower.add_product(node, -1., x, residual.data() + space.begin(node));
-    });
+    };
+    visit_forwards(0, middle_begin, subtract);
+    exchange.receive(x, OrderedExchange::Neighbours::earlier);
+    visit_forwards(middle_begin, order.size(), subtract);
   }
 
 
@@ -239,17 +257,19 @@ namespace stickslip
   {
     // what the forward sweep sees of the given x
     exchange.send(x, OrderedExchange::Neighbours::earlier);
-    exchange.receive(x, OrderedExchange::Neighbours::later);
     // U x before the sweep, which would read U against its order
     upper_part.assign(lower_residual.size(), 0.);
-    visit_backwards(0, order.size(), [&](const unsigned int cluster) {
+    const auto multiply = [&](const unsigned int cluster) {
       const auto nodes = clusters.nodes(cluster);
       for (std::size_t n = nodes.size(); n-- > 0;)
         upper.add_product(nodes[n],
                           1.,
                           x,
                           upper_part.data() + space.begin(nodes[n]));
-    });
+    };
+    visit_backwards(middle_end, order.size(), multiply);
+    exchange.receive(x, OrderedExchange::Neighbours::later);
+    visit_backwards(0, middle_end, multiply);
     sweep_forwards(x, b, upper_part.data());
     sweep_backwards(x);
   }

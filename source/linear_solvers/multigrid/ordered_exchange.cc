@@ -4,6 +4,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace stickslip
@@ -36,6 +38,15 @@ namespace stickslip
   OrderedExchange::is_earlier(const unsigned int rank) const
   {
     return mixed_bits(rank) < mixed_bits(my_rank);
+  }
+
+
+
+  double
+  OrderedExchange::turn() const
+  {
+    return mixed_bits(my_rank) /
+           static_cast<double>(std::numeric_limits<std::uint64_t>::max());
   }
 
 

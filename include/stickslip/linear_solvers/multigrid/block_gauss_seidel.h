@@ -10,10 +10,15 @@ namespace stickslip
 {
   /**
    * Gauss-Seidel sweeps that solve for all unknowns of a cluster of nodes at
-   * once, over all ranks: first the clusters beside nodes of other ranks, rank
-   * after rank (see OrderedExchange), then the others, all ranks at the same
-   * time. (Sweeps of each rank for itself took up to a fifth more iterations on
-   * 4 ranks than on one.)
+   * once, over all ranks. (Sweeps of each rank for itself took up to a fifth
+   * more iterations on 4 ranks than on one.)
+   *
+   * A rank goes forwards over the clusters beside later ranks only, a share of
+   * its inner clusters, those beside earlier and later ranks, the other inner
+   * ones, those beside earlier ranks only. It receives and sends in the middle.
+   * That share grows with its turn (see OrderedExchange), so that messages are
+   * there when they are needed: all ranks work at the same time. Backwards
+   * everything is the other way round.
    */
   class BlockGaussSeidel
   {
@@ -64,14 +69,14 @@ namespace stickslip
     CycleMatrix               lower, upper; ///< without the diagonal blocks
     OrderedExchange           exchange;
     std::vector<unsigned int> order; ///< of the clusters
-    unsigned int  n_first = 0;       ///< clusters beside those of other ranks
+    /// Where in it those are that are beside earlier and later ranks.
+    unsigned int  middle_begin = 0, middle_end = 0;
     BlockDiagonal diagonal;
 
     mutable std::vector<double> lower_residual;  ///< b - L x1
     mutable std::vector<double> upper_part;      ///< U x
     mutable std::vector<double> defect, product; ///< of one cluster
 
-    /// The clusters beside nodes of other ranks come first.
     void
     set_order(const BlockMatrix &A);
 

@@ -40,6 +40,11 @@ namespace stickslip
     bool
     is_earlier(const unsigned int rank) const;
 
+    /// When this rank has its turn, from 0, first of all, to 1: ranks with
+    /// larger turns are later ones.
+    double
+    turn() const;
+
     /// Sends what some neighbours see of the owned values. Returns at once.
     void
     send(const std::vector<double> &x, const Neighbours to) const;
