@@ -4,18 +4,17 @@
 #include <stickslip/base/user_error.h>
 #include <stickslip/mesh/axis_of_revolution.h>
 #include <stickslip/mesh/body_mesh.h>
+#include <stickslip/mesh/cell_distribution.h>
 #include <stickslip/mesh/joined_mesh.h>
 #include <stickslip/mesh/local_refinement.h>
 #include <stickslip/mesh/mesh_checks.h>
 #include <stickslip/mesh/reference_cells.h>
 
-#include <deal.II/distributed/fully_distributed_tria.h>
 #include <deal.II/distributed/tria.h>
 
 #include <deal.II/grid/grid_tools.h>
-#include <deal.II/grid/tria_description.h>
 
-#include <functional>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -68,7 +67,7 @@ namespace stickslip
                         " cannot be refined locally, only quadrilaterals and "
                         "hexahedra. Take 'Refinements' of the bodies, or a "
                         "graded mesh.");
-      if (partitioner != Partitioner::p4est)
+      if (partitioner == Partitioner::metis)
         throw UserError(path +
                         ": 'Mesh/Partitioner = METIS' cannot distribute "
                         "locally refined meshes. Take p4est.");
@@ -76,6 +75,24 @@ namespace stickslip
         throw UserError(
           path + ": local refinement beside periodic boundaries (" +
           periodic.front().parameter_path + ") is not available.");
+    }
+
+
+
+    /// Whether METIS distributes quadrilaterals and hexahedra. (p4est knows no
+    /// others.)
+    bool
+    is_for_metis(const MeshParameters &parameters,
+                 const double          n_cells,
+                 const bool            is_contact_on_several_ranks)
+    {
+      if (parameters.partitioner != Partitioner::automatic)
+        return parameters.partitioner == Partitioner::metis;
+      // one rank makes the parts of all the others
+      constexpr double most_cells = 1e5;
+      return is_contact_on_several_ranks && n_cells <= most_cells &&
+             parameters.refinements.empty() &&
+             parameters.later_refinement.empty() && !parameters.goes_on_refined;
     }
 
 
@@ -149,125 +166,6 @@ namespace stickslip
       check_compatible(result);
       return result;
     }
-
-
-
-    /// What a cell costs: itself and its faces on costly surfaces.
-    class CellCost
-    {
-    public:
-      CellCost(const std::vector<NamedSurface> &surfaces,
-               const Bodies                    &bodies,
-               const double                     face_weight)
-        : of_a_face(static_cast<unsigned int>(of_a_cell * face_weight))
-      {
-        if (of_a_face > 0)
-          for (const NamedSurface &surface : surfaces)
-            boundaries.merge(bodies.global_boundary_ids(
-              surface.body, surface.boundary, surface.parameter_path));
-      }
-
-      bool
-      is_uniform() const
-      {
-        return boundaries.empty();
-      }
-
-      template <typename CellIterator>
-      unsigned int
-      operator()(const CellIterator &cell) const
-      {
-        unsigned int cost = of_a_cell;
-        for (const auto &face : cell->face_iterators())
-          if (face->at_boundary() && boundaries.count(face->boundary_id()) > 0)
-            cost += of_a_face;
-        return cost;
-      }
-
-    private:
-      static constexpr unsigned int of_a_cell = 1000;
-      unsigned int                  of_a_face;
-      std::set<types::boundary_id>  boundaries;
-    };
-
-
-
-    template <int dim>
-    using LocalRefinement =
-      std::function<void(parallel::distributed::Triangulation<dim> &)>;
-
-
-
-    template <int dim>
-    std::unique_ptr<parallel::DistributedTriangulationBase<dim>>
-    distribute_with_p4est(const JoinedMesh<dim>               &joined_mesh,
-                          const std::vector<PeriodicBoundary> &periodicity,
-                          const unsigned int                   n_refinements,
-                          const CellCost                      &cost,
-                          const LocalRefinement<dim>          &refine,
-                          const MPI_Comm                       communicator)
-    {
-      auto triangulation =
-        std::make_unique<parallel::distributed::Triangulation<dim>>(
-          communicator);
-      joined_mesh.create(*triangulation);
-      add_periodicity<dim>(periodicity, *triangulation);
-      triangulation->refine_global(n_refinements);
-      refine(*triangulation);
-      if (!cost.is_uniform())
-        {
-          triangulation->signals.weight.connect(
-            [cost](const auto &cell, const auto) { return cost(cell); });
-          triangulation->repartition();
-        }
-      return triangulation;
-    }
-
-
-
-    /// One rank refines and partitions the serial mesh and sends each rank its
-    /// part.
-    template <int dim>
-    std::unique_ptr<parallel::DistributedTriangulationBase<dim>>
-    distribute_with_metis(const JoinedMesh<dim>               &joined_mesh,
-                          const std::vector<PeriodicBoundary> &periodicity,
-                          const unsigned int                   n_refinements,
-                          const CellCost                      &cost,
-                          const LocalRefinement<dim> & /*refine*/,
-                          const MPI_Comm communicator)
-    {
-      const unsigned int n_ranks =
-        Utilities::MPI::n_mpi_processes(communicator);
-
-      const auto description = TriangulationDescription::Utilities::
-        create_description_from_triangulation_in_groups<dim, dim>(
-          [&](Triangulation<dim> &serial) {
-            joined_mesh.create(serial);
-            add_periodicity<dim>(periodicity, serial);
-            serial.refine_global(n_refinements);
-          },
-          [&](Triangulation<dim> &serial,
-              const MPI_Comm &,
-              const unsigned int) {
-            std::vector<unsigned int> costs;
-            if (!cost.is_uniform())
-              for (const auto &cell : serial.active_cell_iterators())
-                costs.push_back(cost(cell));
-            GridTools::partition_triangulation(n_ranks, costs, serial);
-          },
-          communicator,
-          n_ranks);
-
-      auto triangulation =
-        std::make_unique<parallel::fullydistributed::Triangulation<dim>>(
-          communicator);
-      // The description has only the coarse vertices: each rank refines its
-      // part again, on the manifolds.
-      joined_mesh.set_manifolds(*triangulation);
-      triangulation->create_triangulation(description);
-      add_periodicity<dim>(periodicity, *triangulation);
-      return triangulation;
-    }
   } // namespace
 
 
@@ -329,9 +227,13 @@ namespace stickslip
     mesh.bodies.periodic_boundaries =
       find_periodic_boundaries(periodic_requests, joined_mesh, mesh.bodies);
 
-    // p4est knows no simplices
     const bool with_metis =
-      simplices || parameters.partitioner == Partitioner::metis;
+      simplices.has_value() ||
+      is_for_metis(parameters,
+                   joined_mesh.n_cells() *
+                     std::pow(2., 1. * dim * parameters.global_refinements),
+                   !costly_surfaces.empty() &&
+                     Utilities::MPI::n_mpi_processes(communicator) > 1);
     const double share_of_simplices = n_simplices / joined_mesh.n_cells();
     size.check_refinements(joined_mesh.n_cells(),
                            parameters.global_refinements,
@@ -349,19 +251,23 @@ namespace stickslip
                              simplices,
                              parameters.partitioner,
                              periodic_requests);
-    const double bytes_per_cell = parameters.bytes_per_cell;
-    const auto   distribute =
-      (with_metis ? distribute_with_metis<dim> : distribute_with_p4est<dim>);
-    mesh.triangulation = distribute(
-      joined_mesh,
-      mesh.bodies.periodic_boundaries,
-      parameters.global_refinements,
-      {costly_surfaces, mesh.bodies, parameters.contact_weight},
-      [&](parallel::distributed::Triangulation<dim> &triangulation) {
-        refine_locally(
-          refinements, mesh.bodies, size, bytes_per_cell, triangulation);
-      },
-      communicator);
+    const double          bytes_per_cell = parameters.bytes_per_cell;
+    CellDistribution<dim> distribution{joined_mesh,
+                                       mesh.bodies.periodic_boundaries,
+                                       parameters.global_refinements};
+    for (const NamedSurface &surface : costly_surfaces)
+      distribution.costly_boundaries.merge(mesh.bodies.global_boundary_ids(
+        surface.body, surface.boundary, surface.parameter_path));
+    if (with_metis)
+      mesh.triangulation = distribution.with_metis(communicator);
+    else
+      mesh.triangulation = distribution.with_p4est(
+        parameters.contact_weight,
+        [&](parallel::distributed::Triangulation<dim> &triangulation) {
+          refine_locally(
+            refinements, mesh.bodies, size, bytes_per_cell, triangulation);
+        },
+        communicator);
     if (parameters.is_axisymmetric)
       revolve_bodies(*mesh.triangulation, mesh.bodies);
     if (!path_of_refinement.empty())

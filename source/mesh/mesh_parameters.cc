@@ -8,7 +8,9 @@ namespace stickslip
   const Choices<Partitioner> &
   all_partitioners()
   {
-    static const Choices<Partitioner> choices = {{"p4est", Partitioner::p4est},
+    static const Choices<Partitioner> choices = {{"automatic",
+                                                  Partitioner::automatic},
+                                                 {"p4est", Partitioner::p4est},
                                                  {"METIS", Partitioner::metis}};
     return choices;
   }
@@ -19,7 +21,7 @@ namespace stickslip
   MeshParameters::has_use_for_curves() const
   {
     return degree > 1 || global_refinements > 0 || !refinements.empty() ||
-           !later_refinement.empty() || goes_on;
+           !later_refinement.empty() || goes_on_refined;
   }
 
 
@@ -33,9 +35,12 @@ namespace stickslip
                all_partitioners(),
                expert(
                  "How cells are distributed: p4est (along a space-filling "
-                 "curve) or METIS "
-                 "(graph partitioning; models with triangles or tetrahedra "
-                 "always)."));
+                 "curve, body after body) or METIS (graph partitioning: all "
+                 "ranks have as many cells and as many slave faces; one rank "
+                 "holds the whole mesh for that; models with triangles or "
+                 "tetrahedra always). automatic: METIS for contact on several "
+                 "ranks, if the mesh has at most 100,000 cells and is not "
+                 "refined locally."));
     prm.add_parameter("Global refinements",
                       global_refinements,
                       "Uniform refinements of all bodies, after those of each "
@@ -44,10 +49,9 @@ namespace stickslip
     prm.add_parameter(
       "Contact weight",
       contact_weight,
-      expert("What a slave face costs, in cells: with several ranks "
-             "cells are distributed such that all have the same work. "
-             "0: only cells count. A run can be continued (--restart) "
-             "with another weight, which distributes it again."),
+      expert("What a slave face costs, in cells, where p4est distributes "
+             "them. 0: only cells count. A run can be continued "
+             "(--restart) with another weight, which distributes it again."),
       Patterns::Double(0., 1000.));
   }
 

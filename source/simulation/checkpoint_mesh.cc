@@ -101,7 +101,22 @@ namespace stickslip
                       (cell->refine_flag_set() || cell->coarsen_flag_set()));
       return any_rank(any, triangulation.get_communicator());
     }
+    bool
+    is_of_adapted_mesh(const CheckpointDescription &description)
+    {
+      return description.scalars.adaptation.adaptations > 0;
+    }
   } // namespace
+
+
+
+  bool
+  is_of_adapted_mesh(const std::string &directory, const MPI_Comm &communicator)
+  {
+    std::string checkpoint;
+    return is_of_adapted_mesh(
+      read_description(directory, communicator, checkpoint));
+  }
 
 
 
@@ -114,7 +129,7 @@ namespace stickslip
     std::string                 checkpoint;
     const CheckpointDescription description =
       read_description(directory, communicator, checkpoint);
-    if (description.scalars.adaptation.adaptations == 0)
+    if (!is_of_adapted_mesh(description))
       return false;
     auto *p4est =
       dynamic_cast<parallel::distributed::Triangulation<dim> *>(&triangulation);

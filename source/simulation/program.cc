@@ -13,6 +13,8 @@
 #include <stickslip/output/output_directory.h>
 
 #include <stickslip/simulation/case_parameters.h>
+#include <stickslip/simulation/checkpoint_mesh.h>
+#include <stickslip/simulation/run_files.h>
 #include <stickslip/simulation/run_summary.h>
 #include <stickslip/simulation/simulation.h>
 
@@ -106,7 +108,11 @@ namespace stickslip
           catch_stop_signals();
           prepare_output_directory(parameters.output.directory, MPI_COMM_WORLD);
         }
-      parameters.mesh.goes_on = !command_line.restart.empty();
+      if (!command_line.restart.empty())
+        parameters.mesh.goes_on_refined = is_of_adapted_mesh(
+          find_run_start(parameters, command_line.restart, MPI_COMM_WORLD)
+            .checkpoint,
+          MPI_COMM_WORLD);
       Simulation<dim> simulation(parameters, MPI_COMM_WORLD);
       if (is_validation)
         {

@@ -28,12 +28,11 @@ namespace stickslip
   /**
    * Makes the bodies in the order of @p body_parameters, joins them without
    * gluing coinciding vertices, distributes the result and refines it globally,
-   * then locally (p4est only, and not beside periodic boundaries). "p4est"
-   * gives a parallel::distributed::Triangulation, which can be refined further;
-   * "METIS" a parallel::fullydistributed::Triangulation, which cannot, and is
-   * taken for triangles and tetrahedra whatever the parameter says.
-   * A face on one of the @p costly_surfaces counts as `Contact weight` cells
-   * when the cells are distributed.
+   * then locally (p4est only, and not beside periodic boundaries). p4est gives
+   * a parallel::distributed::Triangulation, which can be refined further; METIS
+   * a parallel::fullydistributed::Triangulation, which cannot, and is taken for
+   * triangles and tetrahedra whatever the parameter `Partitioner` says. The @p
+   * costly_surfaces are those of contact (see CellDistribution).
    *
    * Collective over @p communicator. Every rank builds the coarse (joined) mesh;
    * the fine mesh is distributed (with METIS one rank holds it temporarily).

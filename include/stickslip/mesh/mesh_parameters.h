@@ -17,8 +17,9 @@ namespace stickslip
   /// What distributes the cells over the ranks.
   enum class Partitioner
   {
-    p4est, ///< a space-filling curve
-    metis  ///< partitioning of the graph of cells
+    automatic, ///< one of the others
+    p4est,     ///< a space-filling curve
+    metis      ///< partitioning of the graph of cells
   };
 
   const Choices<Partitioner> &
@@ -27,7 +28,7 @@ namespace stickslip
   /// What concerns the joined triangulation of all bodies.
   struct MeshParameters
   {
-    Partitioner  partitioner        = Partitioner::p4est;
+    Partitioner  partitioner        = Partitioner::automatic;
     unsigned int global_refinements = 0;
     double       contact_weight     = 0.;
 
@@ -53,9 +54,9 @@ namespace stickslip
     /// caller).
     std::string later_refinement;
 
-    /// A run goes on from a checkpoint, whose cells may be refined ones (set by
-    /// the caller).
-    bool goes_on = false;
+    /// A run goes on from a checkpoint whose cells are refined ones (set by the
+    /// caller).
+    bool goes_on_refined = false;
 
     /// Whether anything may ask where the sides of a cell are between its
     /// vertices: displacements of degree 2, cells that are refined.

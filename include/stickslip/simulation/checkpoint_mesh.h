@@ -9,6 +9,12 @@ namespace stickslip
 {
   using namespace dealii;
 
+  /// Whether the checkpoint that --restart @p directory means is one of an
+  /// adapted mesh. Collective; throws UserError if there is none.
+  bool
+  is_of_adapted_mesh(const std::string &directory,
+                     const MPI_Comm    &communicator);
+
   /**
    * If the checkpoint that --restart @p directory means is one of an adapted
    * mesh: refines and coarsens the cells of @p triangulation until they are

@@ -14,6 +14,7 @@
 
 #include <stickslip/problem/automatic_pairs.h>
 #include <stickslip/problem/contact_problem.h>
+#include <stickslip/problem/rank_shares.h>
 #include <stickslip/problem/start_description.h>
 
 #include <stickslip/simulation/case_parameters.h>
@@ -166,7 +167,8 @@ namespace stickslip
     void
     accept_step();
 
-    /// In the log and on the screen: description_of_start().
+    /// In the log and on the screen: description_of_start(). What ranks have is
+    /// in the log only.
     void
     describe_start()
     {
@@ -175,6 +177,10 @@ namespace stickslip
           log.note(line);
           progress.say(line);
         }
+      for (const std::string &line :
+           describe_rank_shares(problem().layout().dof_handler,
+                                problem().contact()))
+        log.note(line);
     }
 
     /// In the log and on the screen.
