@@ -25,13 +25,13 @@ SHORT = ["Load stepping/End time=3"]
 
 
 def test_partitions(runs):
-    metis = ["Mesh/Partitioner=METIS"]
+    metis, p4est = (["Mesh/Partitioner=" + name] for name in ("METIS", "p4est"))
     expected = runs.run("uninterrupted")
-    runs.run("half-2", 2, options=["Load stepping/End time=3"])
+    runs.run("half-2", 2, options=["Load stepping/End time=3"] + p4est)
     runs.run("half-4-metis", 4, options=["Load stepping/End time=3"] + metis)
-    for half, n_ranks, options in [("half-2", 1, []), ("half-2", 2, []), ("half-2", 4, metis), ("half-4-metis", 2, []),
-                                   ("half-4-metis", 3, metis), ("half-4-metis", 4, metis)]:
-        name = f"from-{half}-on-{n_ranks}{'-metis' if options else ''}"
+    for half, n_ranks, options in [("half-2", 1, []), ("half-2", 2, p4est), ("half-2", 4, metis), ("half-4-metis", 2, p4est),
+                                   ("half-4-metis", 3, metis), ("half-4-metis", 4, metis), ("half-4-metis", 2, [])]:
+        name = "-".join(["from", half, "on", str(n_ranks), *(option.split("=")[1] for option in options)])
         runs.copy(half, name)
         printed = runs.run(name, n_ranks, "latest", options)
         compare(runs, name)

@@ -2,9 +2,9 @@
 
 #include <stickslip/mesh/cell_partition.h>
 
-#include <deal.II/distributed/fully_distributed_tria.h>
-
 #include <deal.II/grid/tria_description.h>
+
+#include <numeric>
 
 namespace stickslip
 {
@@ -80,15 +80,32 @@ namespace stickslip
 
 
   template <int dim>
+  std::vector<types::global_dof_index>
+  CellDistribution<dim>::order_of_p4est() const
+  {
+    if (coarse_mesh.has_simplices())
+      {
+        std::vector<types::global_dof_index> order(coarse_mesh.n_cells());
+        std::iota(order.begin(), order.end(), 0);
+        return order;
+      }
+    parallel::distributed::Triangulation<dim> mesh(MPI_COMM_SELF);
+    coarse_mesh.create(mesh);
+    return mesh.get_p4est_tree_to_coarse_cell_permutation();
+  }
+
+
+
+  template <int dim>
   std::unique_ptr<parallel::DistributedTriangulationBase<dim>>
   CellDistribution<dim>::with_metis(const MPI_Comm communicator) const
   {
     const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-
-    const auto description = TriangulationDescription::Utilities::
+    const auto         order   = order_of_p4est();
+    const auto         description = TriangulationDescription::Utilities::
       create_description_from_triangulation_in_groups<dim, dim>(
         [&](Triangulation<dim> &serial) {
-          coarse_mesh.create(serial);
+          coarse_mesh.create(serial, order);
           add_periodicity<dim>(periodic_boundaries, serial);
           serial.refine_global(n_refinements);
         },
@@ -101,8 +118,7 @@ namespace stickslip
         n_ranks);
 
     auto triangulation =
-      std::make_unique<parallel::fullydistributed::Triangulation<dim>>(
-        communicator);
+      std::make_unique<PartitionedTriangulation<dim>>(communicator, order);
     // The description has only the coarse vertices: each rank refines its part
     // again, on the manifolds.
     coarse_mesh.set_manifolds(*triangulation);

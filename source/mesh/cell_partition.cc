@@ -7,6 +7,8 @@
 
 #include <metis.h>
 
+#include <algorithm>
+
 namespace stickslip
 {
   namespace
@@ -43,21 +45,22 @@ namespace stickslip
                   const std::vector<std::vector<unsigned int>> &costs,
                   Triangulation<dim>                           &mesh)
   {
-    CellGraph          graph(mesh);
-    idx_t              n_cells  = mesh.n_active_cells();
-    idx_t              n_phases = costs.size();
-    idx_t              n_parts  = n_ranks;
+    CellGraph graph(mesh);
+    idx_t     n_cells  = mesh.n_active_cells();
+    idx_t     n_phases = costs.size();
+    // with more parts than cells METIS gives all cells to one
+    idx_t              n_parts = std::min<idx_t>(n_ranks, n_cells);
     std::vector<idx_t> weights; // [cell][phase]
     for (idx_t cell = 0; cell < n_cells; ++cell)
       for (const auto &cost : costs)
         weights.push_back(cost[cell]);
 
     std::vector<idx_t> ranks(n_cells, 0);
-    if (n_ranks > 1)
+    if (n_parts > 1)
       {
         // As METIS' manual has it, of few parts recursive bisection is better.
         const auto partition =
-          n_ranks <= 8 ? METIS_PartGraphRecursive : METIS_PartGraphKway;
+          n_parts <= 8 ? METIS_PartGraphRecursive : METIS_PartGraphKway;
         idx_t     n_cut_faces;
         const int answer = partition(&n_cells,
                                      &n_phases,

@@ -122,6 +122,21 @@ namespace stickslip
 
   template <int dim>
   void
+  JoinedMesh<dim>::create(
+    Triangulation<dim>                         &triangulation,
+    const std::vector<types::global_dof_index> &order) const
+  {
+    std::vector<CellData<dim>> ordered_cells;
+    for (const auto number : order)
+      ordered_cells.push_back(cells[number]);
+    triangulation.create_triangulation(vertices, ordered_cells, sub_cell_data);
+    set_manifolds(triangulation);
+  }
+
+
+
+  template <int dim>
+  void
   JoinedMesh<dim>::set_manifolds(Triangulation<dim> &triangulation) const
   {
     for (unsigned int m = 0; m < manifolds.size(); ++m)

@@ -12,8 +12,7 @@
 
 #include <deal.II/distributed/tria.h>
 
-#include <deal.II/grid/grid_tools.h>
-
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -79,18 +78,45 @@ namespace stickslip
 
 
 
+    /// Without periodic boundaries, which contact leaves out. That there is no
+    /// such body is said by those who make the pairs.
+    std::set<types::boundary_id>
+    boundaries_of(const std::vector<NamedSurface> &surfaces,
+                  const Bodies                    &bodies)
+    {
+      std::set<types::boundary_id> ids;
+      for (const NamedSurface &surface : surfaces)
+        if (std::any_of(bodies.bodies.begin(),
+                        bodies.bodies.end(),
+                        [&](const Body &body) {
+                          return body.name == surface.body;
+                        }))
+          ids.merge(bodies.global_boundary_ids(surface.body,
+                                               surface.boundary,
+                                               surface.parameter_path));
+      for (const PeriodicBoundary &periodic : bodies.periodic_boundaries)
+        for (const auto id : {periodic.first, periodic.second})
+          ids.erase(id);
+      return ids;
+    }
+
+
+
     /// Whether METIS distributes quadrilaterals and hexahedra. (p4est knows no
-    /// others.)
+    /// others.) @p contact_ranks: all, or none if there is no contact.
     bool
     is_for_metis(const MeshParameters &parameters,
                  const double          n_cells,
-                 const bool            is_contact_on_several_ranks)
+                 const unsigned int    contact_ranks)
     {
       if (parameters.partitioner != Partitioner::automatic)
         return parameters.partitioner == Partitioner::metis;
-      // one rank makes the parts of all the others
-      constexpr double most_cells = 1e5;
-      return is_contact_on_several_ranks && n_cells <= most_cells &&
+      // One rank makes the parts of all the others, and looks at the whole mesh
+      // for each of them.
+      constexpr double most_cells = 1e5, least_cells_per_rank = 20.;
+      return contact_ranks > 1 && n_cells <= most_cells &&
+             n_cells >= least_cells_per_rank * contact_ranks &&
+             parameters.contact_weight == 0. &&
              parameters.refinements.empty() &&
              parameters.later_refinement.empty() && !parameters.goes_on_refined;
     }
@@ -232,8 +258,13 @@ namespace stickslip
       is_for_metis(parameters,
                    joined_mesh.n_cells() *
                      std::pow(2., 1. * dim * parameters.global_refinements),
-                   !costly_surfaces.empty() &&
-                     Utilities::MPI::n_mpi_processes(communicator) > 1);
+                   costly_surfaces.empty()
+                     ? 0
+                     : Utilities::MPI::n_mpi_processes(communicator));
+    if (with_metis && parameters.contact_weight > 0.)
+      mesh.warnings.push_back(
+        "'Mesh/Contact weight' has no effect on METIS, "
+        "which balances contact by itself.");
     const double share_of_simplices = n_simplices / joined_mesh.n_cells();
     size.check_refinements(joined_mesh.n_cells(),
                            parameters.global_refinements,
@@ -255,9 +286,8 @@ namespace stickslip
     CellDistribution<dim> distribution{joined_mesh,
                                        mesh.bodies.periodic_boundaries,
                                        parameters.global_refinements};
-    for (const NamedSurface &surface : costly_surfaces)
-      distribution.costly_boundaries.merge(mesh.bodies.global_boundary_ids(
-        surface.body, surface.boundary, surface.parameter_path));
+    distribution.costly_boundaries =
+      boundaries_of(costly_surfaces, mesh.bodies);
     if (with_metis)
       mesh.triangulation = distribution.with_metis(communicator);
     else

@@ -38,9 +38,9 @@ namespace stickslip
                  "curve, body after body) or METIS (graph partitioning: all "
                  "ranks have as many cells and as many slave faces; one rank "
                  "holds the whole mesh for that; models with triangles or "
-                 "tetrahedra always). automatic: METIS for contact on several "
-                 "ranks, if the mesh has at most 100,000 cells and is not "
-                 "refined locally."));
+                 "tetrahedra always). automatic: METIS for named contact pairs "
+                 "on several ranks, if the mesh has at most 100,000 cells, 20 "
+                 "on each rank, and is not refined locally."));
     prm.add_parameter("Global refinements",
                       global_refinements,
                       "Uniform refinements of all bodies, after those of each "

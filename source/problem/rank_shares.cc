@@ -2,20 +2,18 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <algorithm>
-
 namespace stickslip
 {
   namespace
   {
     /// "12 to 15 things", or "12 things".
     std::string
-    range(const std::vector<unsigned long> &counts, const std::string &things)
+    range(const double least, const double most, const std::string &things)
     {
-      const auto [least, most] =
-        std::minmax_element(counts.begin(), counts.end());
-      return std::to_string(*least) +
-             (*least == *most ? "" : " to " + std::to_string(*most)) + " " +
+      const auto text = [](const double count) {
+        return std::to_string(static_cast<unsigned long>(count));
+      };
+      return text(least) + (least == most ? "" : " to " + text(most)) + " " +
              things;
     }
   } // namespace
@@ -27,27 +25,31 @@ namespace stickslip
   describe_rank_shares(const DoFHandler<dim>       &dof_handler,
                        const ContactAssembler<dim> &contact)
   {
-    const MPI_Comm communicator = dof_handler.get_communicator();
-    unsigned long  n_points     = 0;
+    const MPI_Comm     communicator = dof_handler.get_communicator();
+    const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+    if (n_ranks == 1)
+      return {};
+    double n_points = 0.;
     for (const auto &pair : contact.contact_pairs())
       n_points += pair->points.size();
     const auto displacements =
-      Utilities::MPI::all_gather(communicator,
-                                 static_cast<unsigned long>(
-                                   dof_handler.n_locally_owned_dofs()));
-    auto       points  = Utilities::MPI::all_gather(communicator, n_points);
-    const auto n_ranks = displacements.size();
-    if (n_ranks == 1)
-      return {};
+      Utilities::MPI::min_max_avg(dof_handler.n_locally_owned_dofs(),
+                                  communicator);
+    const double       most = Utilities::MPI::max(n_points, communicator);
+    const unsigned int n_in_contact =
+      Utilities::MPI::sum(n_points > 0. ? 1u : 0u, communicator);
+    const double least =
+      Utilities::MPI::min(n_points > 0. ? n_points : most, communicator);
 
     std::string line = std::to_string(n_ranks) + " ranks: " +
-                       range(displacements, "displacement unknowns on each");
-    points.erase(std::remove(points.begin(), points.end(), 0ul), points.end());
-    if (!points.empty())
+                       range(displacements.min,
+                             displacements.max,
+                             "displacement unknowns on each");
+    if (n_in_contact > 0)
       line +=
-        "; " + range(points, "contact points on ") +
-        (points.size() == n_ranks ? "each"
-                                  : std::to_string(points.size()) + " of them");
+        "; " + range(least, most, "contact points on ") +
+        (n_in_contact == n_ranks ? "each"
+                                 : std::to_string(n_in_contact) + " of them");
     return {line};
   }
 

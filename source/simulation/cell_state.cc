@@ -1,5 +1,7 @@
 #include <stickslip/simulation/cell_state.h>
 
+#include <stickslip/mesh/cell_distribution.h>
+
 #include <deal.II/base/array_view.h>
 
 
@@ -83,10 +85,24 @@ namespace stickslip
   template <int dim>
   PartitionFreeNames<dim>::PartitionFreeNames(
     const Triangulation<dim> &triangulation)
-    : renumbered(
-        dynamic_cast<const parallel::distributed::Triangulation<dim> *>(
-          &triangulation))
-  {}
+  {
+    if (const auto *p4est =
+          dynamic_cast<const parallel::distributed::Triangulation<dim> *>(
+            &triangulation))
+      {
+        names = p4est->get_p4est_tree_to_coarse_cell_permutation();
+        ids   = p4est->get_coarse_cell_to_p4est_tree_permutation();
+      }
+    else if (const auto *metis =
+               dynamic_cast<const PartitionedTriangulation<dim> *>(
+                 &triangulation))
+      {
+        names = metis->joined_numbers;
+        ids   = metis->coarse_ids;
+      }
+    else
+      AssertThrow(false, ExcMessage("Cells of an unknown order."));
+  }
 
 
 
@@ -105,10 +121,7 @@ namespace stickslip
   unsigned int
   PartitionFreeNames<dim>::coarse_name(const unsigned int coarse_id) const
   {
-    return renumbered
-             ? renumbered
-                 ->get_p4est_tree_to_coarse_cell_permutation()[coarse_id]
-             : coarse_id;
+    return names[coarse_id];
   }
 
 
@@ -117,10 +130,7 @@ namespace stickslip
   unsigned int
   PartitionFreeNames<dim>::coarse_id(const unsigned int coarse_name) const
   {
-    return renumbered
-             ? renumbered
-                 ->get_coarse_cell_to_p4est_tree_permutation()[coarse_name]
-             : coarse_name;
+    return ids[coarse_name];
   }
 
 

@@ -101,6 +101,8 @@ namespace stickslip
                       (cell->refine_flag_set() || cell->coarsen_flag_set()));
       return any_rank(any, triangulation.get_communicator());
     }
+
+
     bool
     is_of_adapted_mesh(const CheckpointDescription &description)
     {

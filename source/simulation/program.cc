@@ -107,12 +107,12 @@ namespace stickslip
         {
           catch_stop_signals();
           prepare_output_directory(parameters.output.directory, MPI_COMM_WORLD);
+          if (!command_line.restart.empty())
+            parameters.mesh.goes_on_refined = is_of_adapted_mesh(
+              find_run_start(parameters, command_line.restart, MPI_COMM_WORLD)
+                .checkpoint,
+              MPI_COMM_WORLD);
         }
-      if (!command_line.restart.empty())
-        parameters.mesh.goes_on_refined = is_of_adapted_mesh(
-          find_run_start(parameters, command_line.restart, MPI_COMM_WORLD)
-            .checkpoint,
-          MPI_COMM_WORLD);
       Simulation<dim> simulation(parameters, MPI_COMM_WORLD);
       if (is_validation)
         {

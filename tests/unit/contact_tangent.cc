@@ -87,8 +87,9 @@ namespace
     lower.simplices = simplices_below;
     upper.material = lower.material = "rubber";
     MeshParameters parameters;
-    parameters.degree  = degree;
-    parameters.goes_on = hanging_nodes || hanging_slave; // refined below
+    parameters.degree = degree;
+    parameters.goes_on_refined =
+      hanging_nodes || hanging_slave; // refined below
     parameters.is_axisymmetric = axisymmetric;
     Mesh<dim>  mesh            = build_mesh<dim>(parameters,
                                      {{"upper", upper}, {"lower", lower}},

@@ -3,6 +3,8 @@
 
 #include "print_mesh.h"
 
+#include <array>
+#include <map>
 #include <string>
 
 namespace
@@ -189,15 +191,12 @@ namespace
 
 
 
-  /// Two strips of 16 x 2 cells; a face on the lower one's top counts as
-  /// `Contact weight` cells.
-  void
-  test_weights(const std::string &partitioner, const double weight)
+  /// The cells of this rank and its faces on the lower one's top, of two strips
+  /// of 16 x 2 cells of which these faces are costly.
+  std::array<double, 2>
+  share_of_strips(const MeshParameters &parameters)
   {
-    MeshParameters parameters;
-    parameters.partitioner    = value_of(partitioner, all_partitioners());
-    parameters.contact_weight = weight;
-    const auto strip          = [](const std::string &y) {
+    const auto strip = [](const std::string &y) {
       return generated("subdivided_hyper_rectangle",
                        "16, 2 : 0, " + y + " : 16, " + y + "2 : true");
     };
@@ -207,21 +206,86 @@ namespace
                     {},
                     comm,
                     {{"path", "lower", {"3"}}});
-    const auto top  = mesh.bodies.global_boundary_id(1, 3);
-    double     load = 0.;
+    const auto            top   = mesh.bodies.global_boundary_id(1, 3);
+    std::array<double, 2> share = {{0., 0.}};
     for (const auto &cell : mesh.triangulation->active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          load += 1.;
+          share[0] += 1.;
           for (const auto &face : cell->face_iterators())
             if (face->at_boundary() && face->boundary_id() == top)
-              load += weight;
+              share[1] += 1.;
         }
+    return share;
+  }
+
+
+
+  bool
+  is_near_mean(const double value, const double tolerance)
+  {
     const double mean =
-      Utilities::MPI::sum(load, comm) / Utilities::MPI::n_mpi_processes(comm);
-    print(partitioner + ", a face counts as " + text(weight) +
+      Utilities::MPI::sum(value, comm) / Utilities::MPI::n_mpi_processes(comm);
+    return Utilities::MPI::max(std::abs(value - mean), comm) <=
+           std::max(0.1 * mean, tolerance);
+  }
+
+
+
+  void
+  test_weights(const double weight)
+  {
+    MeshParameters parameters;
+    parameters.partitioner    = Partitioner::p4est;
+    parameters.contact_weight = weight;
+    const auto [cells, faces] = share_of_strips(parameters);
+    print("p4est, a face counts as " + text(weight) +
             " cells, loads within a tenth or a cell of each other",
-          std::abs(load - mean) <= std::max(0.1 * mean, 1. + weight));
+          is_near_mean(cells + weight * faces, 1. + weight));
+  }
+
+
+
+  void
+  test_phases()
+  {
+    MeshParameters parameters;
+    parameters.partitioner    = Partitioner::metis;
+    const auto [cells, faces] = share_of_strips(parameters);
+    print("METIS, cells and faces within a tenth or two of each other",
+          is_near_mean(cells, 2.) && is_near_mean(faces, 2.));
+  }
+
+
+
+  /// Whoever distributes the cells, a cell has the same id.
+  void
+  test_ids()
+  {
+    std::array<std::map<std::string, std::string>, 2> centres; // by id
+    for (const auto partitioner : {Partitioner::p4est, Partitioner::metis})
+      {
+        MeshParameters parameters;
+        parameters.partitioner        = partitioner;
+        parameters.global_refinements = 1;
+        const Mesh<2> mesh            = build_mesh<2>(
+          parameters,
+          {{"a", generated("hyper_ball", "")},
+                      {"b", generated("hyper_shell", "0, 0 : 2 : 3 : 12 : true")}},
+          {},
+          comm);
+        std::map<std::string, std::string> own;
+        for (const auto &cell : mesh.triangulation->active_cell_iterators())
+          if (cell->is_locally_owned())
+            own[cell->id().to_string()] =
+              text(cell->center()[0]) + " " + text(cell->center()[1]);
+        for (const auto &part : Utilities::MPI::all_gather(comm, own))
+          centres[partitioner == Partitioner::metis].insert(part.begin(),
+                                                            part.end());
+      }
+    print("p4est and METIS, " + std::to_string(centres[0].size()) +
+            " cells have the same ids",
+          centres[0] == centres[1]);
   }
 } // namespace
 
@@ -253,8 +317,7 @@ main(int argc, char **argv)
   test_periodicity("p4est");
   test_periodicity("METIS");
   for (const double weight : {0., 4.})
-    {
-      test_weights("p4est", weight);
-      test_weights("METIS", weight);
-    }
+    test_weights(weight);
+  test_phases();
+  test_ids();
 }

@@ -4,6 +4,9 @@
 #include <stickslip/mesh/joined_mesh.h>
 #include <stickslip/mesh/periodicity.h>
 
+#include <deal.II/base/utilities.h>
+
+#include <deal.II/distributed/fully_distributed_tria.h>
 #include <deal.II/distributed/tria.h>
 
 #include <functional>
@@ -14,6 +17,31 @@
 namespace stickslip
 {
   using namespace dealii;
+
+  /**
+   * A mesh that METIS has distributed. Its coarse cells have the order that
+   * p4est would give them: cells have the same CellId whoever distributes them
+   * (what is decided by ids is the same on one rank and on several).
+   */
+  template <int dim>
+  class PartitionedTriangulation
+    : public parallel::fullydistributed::Triangulation<dim>
+  {
+  public:
+    /// The numbers of its coarse cells in the joined mesh.
+    PartitionedTriangulation(
+      const MPI_Comm                              communicator,
+      const std::vector<types::global_dof_index> &joined_numbers)
+      : parallel::fullydistributed::Triangulation<dim>(communicator)
+      , joined_numbers(joined_numbers)
+      , coarse_ids(Utilities::invert_permutation(joined_numbers))
+    {}
+
+    const std::vector<types::global_dof_index> joined_numbers; ///< by id
+    const std::vector<types::global_dof_index> coarse_ids;     ///< the inverse
+  };
+
+
 
   /**
    * How the cells of all bodies come to the ranks. A Newton iteration has two
@@ -40,11 +68,17 @@ namespace stickslip
                const LocalRefinement &refine,
                const MPI_Comm         communicator) const;
 
-    /// By partition_cells(): both phases are balanced. One rank refines and
-    /// partitions the serial mesh and sends each rank its part, which cannot be
-    /// refined. Collective.
+    /// PartitionedTriangulation by partition_cells(): both phases are balanced.
+    /// One rank refines and partitions the serial mesh and sends each rank its
+    /// part, which cannot be refined. Collective.
     std::unique_ptr<parallel::DistributedTriangulationBase<dim>>
     with_metis(const MPI_Comm communicator) const;
+
+  private:
+    /// The coarse cells in the order in which p4est has them, as they are if it
+    /// knows no such cells.
+    std::vector<types::global_dof_index>
+    order_of_p4est() const;
   };
 } // namespace stickslip
 

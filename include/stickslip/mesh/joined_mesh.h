@@ -5,6 +5,7 @@
 
 #include <deal.II/grid/tria.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <vector>
@@ -35,10 +36,24 @@ namespace stickslip
       return cells.size();
     }
 
+    /// Triangles or tetrahedra.
+    bool
+    has_simplices() const
+    {
+      return std::any_of(cells.begin(), cells.end(), [](const auto &cell) {
+        return cell.vertices.size() == dim + 1;
+      });
+    }
+
     /// Creates the coarse triangulation and attaches the manifolds. The same
     /// result on each rank; collective if the triangulation is distributed.
     void
     create(Triangulation<dim> &triangulation) const;
+
+    /// Likewise with cell order[k] as the k-th one.
+    void
+    create(Triangulation<dim>                         &triangulation,
+           const std::vector<types::global_dof_index> &order) const;
 
     /// Attaches the manifolds only.
     void

@@ -27,10 +27,10 @@ namespace stickslip
 
 
   /**
-   * Names of cells that do not depend on the partition. CellId::to_binary()
-   * nearly does it, but p4est renumbers the coarse cells, so that its ids
-   * differ from those of a mesh partitioned by METIS: this takes the number of
-   * the coarse cell in the mesh from which both were made.
+   * Names of cells that depend neither on the partition nor on the version of
+   * deal.II. CellId::to_binary() nearly does it, but has the order of p4est's
+   * coarse cells, which deal.II chooses: this takes the number of the coarse
+   * cell in the mesh from which all was made.
    */
   template <int dim>
   class PartitionFreeNames
@@ -50,8 +50,8 @@ namespace stickslip
     coarse_id(const unsigned int coarse_name) const;
 
   private:
-    /// nullptr: ids are names already
-    const parallel::distributed::Triangulation<dim> *renumbered;
+    std::vector<types::global_dof_index> names; ///< of coarse cells, by id
+    std::vector<types::global_dof_index> ids;   ///< the inverse
   };
 
 
