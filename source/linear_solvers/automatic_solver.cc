@@ -22,6 +22,8 @@ namespace stickslip
     }
 
     constexpr unsigned int            n_slow_solves       = 3; // in a row
+    constexpr unsigned int            first_n_direct      = 10;
+    constexpr unsigned int            largest_n_direct    = 160;
     constexpr types::global_dof_index largest_slow_system = 50000;
 
     /// Krylov iterations that cost more than MUMPS: an iteration is
@@ -37,20 +39,38 @@ namespace stickslip
 
 
 
+  SlowIteration::SlowIteration()
+    : next_n_direct(first_n_direct)
+  {}
+
+
+
   void
   SlowIteration::record(const unsigned int            iterations,
-                        const types::global_dof_index size)
+                        const types::global_dof_index size,
+                        const bool                    has_converged)
   {
-    if (n_slow < n_slow_solves)
-      n_slow = iterations > worthwhile_iterations(size) ? n_slow + 1 : 0;
+    if (has_converged && iterations <= worthwhile_iterations(size))
+      {
+        *this = SlowIteration();
+        return;
+      }
+    if (++n_slow < n_slow_solves)
+      return;
+    n_slow        = n_slow_solves - 1; // one more is enough later
+    n_direct      = next_n_direct;
+    next_n_direct = std::min(2 * next_n_direct, largest_n_direct);
   }
 
 
 
   bool
-  SlowIteration::prefers_direct(const types::global_dof_index size) const
+  SlowIteration::prefers_direct(const types::global_dof_index size)
   {
-    return n_slow >= n_slow_solves && size <= largest_slow_system;
+    if (n_direct == 0 || size > largest_slow_system)
+      return false;
+    --n_direct;
+    return true;
   }
 
 
@@ -113,6 +133,7 @@ namespace stickslip
       catch (const NoConvergence &error)
         {
           failure = error.what();
+          slow_iteration.record(0, matrix->m(), false);
         }
     DirectSolver instead; // its memory is needed now and then only
     instead.setup(*matrix, describe);

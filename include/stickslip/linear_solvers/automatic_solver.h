@@ -11,20 +11,30 @@ namespace stickslip
   /**
    * Whether MUMPS is faster for systems in space that are small enough to be
    * factorised: after three solves in a row that took more Krylov iterations
-   * than a factorisation is worth (thin walls of long cells), for the rest of
-   * the run. Counts decide, not times, so that a run can be repeated.
+   * than a factorisation is worth (thin walls of long cells). It solves the
+   * next ten systems then; if the iteration is still slow after these, twice as
+   * many, and so on: slow solves may be those of a few bad states. Counts
+   * decide, not times, so that a run can be repeated.
    */
   class SlowIteration
   {
   public:
-    void
-    record(const unsigned int iterations, const types::global_dof_index size);
+    SlowIteration();
 
+    /// A solve by the iteration; without convergence a slow one.
+    void
+    record(const unsigned int            iterations,
+           const types::global_dof_index size,
+           const bool                    has_converged = true);
+
+    /// Whether the next system is for MUMPS. To be asked once for each.
     bool
-    prefers_direct(const types::global_dof_index size) const;
+    prefers_direct(const types::global_dof_index size);
 
   private:
-    unsigned int n_slow = 0; ///< in a row
+    unsigned int n_slow   = 0; ///< in a row
+    unsigned int n_direct = 0; ///< systems that are still for MUMPS
+    unsigned int next_n_direct;
   };
 
 
