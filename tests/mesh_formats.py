@@ -91,6 +91,26 @@ def faults_of_inspection(program, file, has_names):
     return faults
 
 
+# a wedge and a pyramid: no cells of bodies, but a user may have them, and looks why
+SINGLE_CELLS = {
+    "wedge.inp": ("*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n4,0,0,2\n5,1,0,2\n6,0,1,2\n*ELEMENT,TYPE=C3D6,ELSET=A\n1,1,2,3,4,5,6\n", 1, 2),
+    "pyramid.inp": ("*NODE\n1,0,0,0\n2,1,0,0\n3,1,1,0\n4,0,1,0\n5,0.5,0.5,3\n*ELEMENT,TYPE=C3D5,ELSET=A\n1,1,2,3,4,5\n", 1, 9.5 ** 0.5),
+}
+
+
+def faults_of_single_cell(program, name):
+    contents, shortest, longest = SINGLE_CELLS[name]
+    with open(name, "w") as file:
+        file.write(contents)
+    result = run(program, "--inspect-mesh", name, "json")
+    if result.returncode != 0:
+        return [result.stdout.strip()]
+    mesh = json.loads(result.stdout)
+    edges = [mesh["shortest edge"], mesh["longest edge"]]
+    is_right = abs(edges[0] - shortest) < 1e-6 and abs(edges[1] - longest) < 1e-6 and mesh["inverted cells"] == 0
+    return [] if is_right else ["edges %s instead of %s, inverted cells %s" % (edges, [shortest, longest], mesh["inverted cells"])]
+
+
 def result_of_case(program, file, has_names):
     with open("case.prm", "w") as case:
         case.write(CASE % dict(NAMES if has_names else NUMBERS, file=file))
@@ -143,8 +163,14 @@ def main():
             n_wrong += 1 if faults else 0
             if faults or verbose:
                 print("%s: %s" % (name, "; ".join(faults) if faults else "as expected"))
+        for name in SINGLE_CELLS:
+            faults = faults_of_single_cell(program, name)
+            n_wrong += 1 if faults else 0
+            if faults or verbose:
+                print("%s: %s" % (name, "; ".join(faults) if faults else "as expected"))
         os.chdir("/")
-    print("%d of %d files are read well." % (len(files) - n_wrong, len(files)))
+    n_files = len(files) + len(SINGLE_CELLS)
+    print("%d of %d files are read well." % (n_files - n_wrong, n_files))
     return 1 if n_wrong else 0
 
 

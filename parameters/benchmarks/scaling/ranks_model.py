@@ -17,14 +17,12 @@ MACHINE = {
 # What a Krylov iteration reads by unknown: the tangent (1.0 kB), triangles and coarse levels of a cycle
 # (three times 0.2), vectors of GMRES (0.3); see doc/scaling.md, section 2.
 BYTES_PER_UNKNOWN = 1.9e3
-NEIGHBOURS = 26  # of a brick amid others
 
 
 def row(record, traffic):
     ranks, krylov = record["ranks"], record["linear_iterations"]
     return {
         "unknowns": record["dofs"], "ranks": ranks, "Newton": record["newton_iterations"], "Krylov": krylov,
-        "neighbours": sum(traffic.neighbours) / ranks,
         "messages": sum(traffic.messages) / ranks / krylov, "most messages": max(traffic.messages) / krylov,
         "kB": sum(traffic.bytes) / 1024 / ranks / krylov, "most kB": max(traffic.bytes) / 1024 / krylov,
         "collectives": max(traffic.collectives) / krylov,
@@ -39,10 +37,9 @@ def seconds(unknowns, ranks, counts):
 
 
 def extrapolated(counts, unknowns_per_rank):
-    """Counts of a rank amid others: messages grow with the neighbours, their size with the surface of its part."""
-    neighbours = NEIGHBOURS / counts["neighbours"]
+    """Counts of a rank with a part of another size: as many messages, which grow with the surface of the part."""
     surface = (unknowns_per_rank * counts["ranks"] / counts["unknowns"]) ** (2 / 3)
-    return {**counts, "messages": counts["messages"] * neighbours, "kB": counts["kB"] * neighbours * surface}
+    return {**counts, "kB": counts["kB"] * surface}
 
 
 def print_rows(title, rows):
