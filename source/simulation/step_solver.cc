@@ -137,7 +137,8 @@ namespace stickslip
                                         : CycleTreatment::none;
         n_stagnating = stagnates ? n_stagnating + 1 : 0;
         if ((n_stagnating >= patience || (stagnates && has_treated_cycle)) &&
-            !descent.descends() && cycle_treatment.may_round_corners() &&
+            !descent.descends() && !descent.has_been_far_down() &&
+            cycle_treatment.may_round_corners() &&
             increment_solver == IncrementSolver::linear_system &&
             continuation.begin())
           {

@@ -56,6 +56,9 @@ namespace stickslip
   void
   DescentMonitor::add(const double merit)
   {
+    if (last.empty())
+      first = merit;
+    smallest = std::min(smallest, merit);
     last.push_back(merit);
     if (last.size() > 2 * n_compared)
       last.pop_front();

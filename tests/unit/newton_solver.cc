@@ -883,6 +883,15 @@ namespace
           }
         std::cout << '\n';
       }
+    // one point cycles where all else is solved
+    DescentMonitor descent;
+    std::cout << "  has been far down:";
+    for (const double merit : {1e4, 120., 4., 0.01, 2.5, 5.})
+      {
+        descent.add(merit);
+        std::cout << ' ' << descent.has_been_far_down();
+      }
+    std::cout << '\n';
     DivergenceMonitor divergence(1e-3);
     divergence.add(1e6);
     divergence.add(0.9e18);

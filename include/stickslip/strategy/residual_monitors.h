@@ -58,8 +58,20 @@ namespace stickslip
     bool
     descends() const;
 
+    /// It has been a small part of the first one: what is left to do concerns
+    /// few points.
+    bool
+    has_been_far_down() const
+    {
+      return smallest < far_down * first;
+    }
+
   private:
+    static constexpr double far_down = 1e-3;
+
     std::deque<double> last; ///< the newest at the end
+    double             first    = 0.;
+    double             smallest = std::numeric_limits<double>::max();
   };
 
 
