@@ -9,7 +9,7 @@ as the rollers; all of its surface is moved outwards by the feed, without fricti
 """
 import sys
 
-from case import CONSTANTS, FEED, MATERIALS, OUTPUT, section, whole
+from case import CONSTANTS, FEED, MATERIALS, OUTPUT, section, together
 
 MODELS = ("plane", "r-z")
 # Radial cells of the tube and of the sheet (graded), of the plane model and of the other one; along the axis as in
@@ -33,7 +33,7 @@ def plane():
               "mandrel": f"{MANDREL[0]} |1| {MANDREL[1]} : {round_it}"}
     cut = [section(f"{body} {side}", Body=body, Boundary=side, Type="symmetry") for body in ("tube", "sheet") for side in (2, 3)]
     feed = "; ".join(f"{FEED}*{axis}/sqrt(x*x + y*y)" for axis in "xy")
-    return (whole("Bodies", *(section(name, Generator="graded_annular_sector", Arguments=arguments, Material=name)
+    return (together("Bodies", *(section(name, Generator="graded_annular_sector", Arguments=arguments, Material=name)
                               for name, arguments in bodies.items())),
             [*cut, section("rim", Body="sheet", Boundary=1, Value="0; 0"),
              section("feed", Body="mandrel", Boundary="0, 1, 2, 3", Value=feed)])
@@ -50,7 +50,7 @@ def r_z():
     rolled = f"y > {first} && y < {last}"
     ids = {"tube": {"Boundary_ids": f"rolled: id == 0 && {rolled}; expanded: id == 1 && {rolled}"}}
     return ("set Axisymmetric = true\n\n"
-            + whole("Bodies", *(section(name, Generator="graded_hyper_rectangle", Arguments=arguments, Material=name, **ids.get(name, {}))
+            + together("Bodies", *(section(name, Generator="graded_hyper_rectangle", Arguments=arguments, Material=name, **ids.get(name, {}))
                                 for name, arguments in bodies.items())),
             [section("rim", Body="sheet", Boundary=1, Value="0; 0"), section("end", Body="tube", Boundary=2, Value="0; 0"),
              section("feed", Body="mandrel", Boundary="0, 1, 2, 3", Value=f"{FEED}; 0")])
@@ -60,7 +60,7 @@ def case(model):
     """The .prm of a model as text."""
     bodies, conditions = {"plane": plane, "r-z": r_z}[model]()
     faces = ("0", "1") if model == "plane" else ("rolled", "expanded")
-    contact = whole("Contact",
+    contact = together("Contact",
                     section("expansion", Slave_body="tube", Slave_boundary=faces[1], Master_body="sheet", Master_boundary=0),
                     section("mandrel", Slave_body="tube", Slave_boundary=faces[0], Master_body="mandrel", Master_boundary=1))
     height = "0" if model == "plane" else "{lower_face + thickness/2}"
@@ -69,7 +69,7 @@ def case(model):
     return (f"# Expansion of a tube in a tube sheet by a mandrel ({model}). Written by sections.py.\n" + CONSTANTS
             + "set Title     = Tube expansion, a section\nset Dimension = 2\nset Degree    = 2\n" + bodies
             + MATERIALS.replace("subsection Materials\n", "subsection Materials\n" + MANDREL_MATERIAL)
-            + whole("Boundary conditions", *conditions) + contact + output)
+            + together("Boundary conditions", *conditions) + contact + output)
 
 
 if __name__ == "__main__":
