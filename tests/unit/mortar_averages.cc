@@ -4,7 +4,7 @@
 // they are weighted with, without signs, over that with signs, grows: the
 // spread of the dual functions, which is printed (negative: so is their
 // integral). Nodes with a spread of more than 20, or less than a hundredth of
-// their area, have no partner.
+// their area, have no partner. Then gaps that are no polynomials.
 
 #include "case_problem.h"
 #include "print.h"
@@ -24,20 +24,23 @@ namespace
 {
   using namespace stickslip;
 
-  /// A slave of one cell below a master that ends at s and whose lower side is
-  /// a straight line at the height 1.1 + 0.2 x.
+  /// A @p slave, of one cell, below a master that ends at s and
+  /// whose lower side has the height 1 + @p gap.
   std::string
-  prm_of(const unsigned int degree, const double s)
+  prm_of(const unsigned int degree,
+         const double       s,
+         const std::string &gap,
+         const std::string &slave = "1, 1 : 0, 0 : 1, 1 : true")
   {
     std::ostringstream text;
     text << "set Dimension = 2\nset Degree = " << degree << "\n"
          << "subsection Bodies\n  subsection slave\n"
          << "    set Generator = subdivided_hyper_rectangle\n"
-         << "    set Arguments = 1, 1 : 0, 0 : 1, 1 : true\n"
+         << "    set Arguments = " << slave << "\n"
          << "    set Material  = rubber\n  end\n  subsection master\n"
          << "    set Generator   = subdivided_hyper_rectangle\n"
-         << "    set Arguments   = 3, 1 : -1, 0 : " << s << ", 1 : true\n"
-         << "    set Coordinates = x; y + 1.1 + 0.2*x\n"
+         << "    set Arguments   = 30, 1 : -1, 0 : " << s << ", 1 : true\n"
+         << "    set Coordinates = x; y + 1 + " << gap << "\n"
          << "    set Material    = rubber\n  end\nend\n"
          << "subsection Materials\n  subsection rubber\n"
          << "    set Young's modulus = 1\n  end\nend\n"
@@ -50,9 +53,16 @@ namespace
 
 
 
-  /// The nodes of the slave face that have a partner, and their averaged gaps
-  /// minus those at the nodes.
-  std::string
+  const std::string straight = "0.1 + 0.2*x";
+
+  struct Averages
+  {
+    std::string partners;   ///< the nodes of the slave face that have one
+    std::string gaps  = ""; ///< averaged
+    double      error = 0.; ///< of these against `straight` at the nodes
+  };
+
+  Averages
   averages_of(CaseProblem<2> &model)
   {
     auto            &contact = model.problem.contact();
@@ -67,9 +77,9 @@ namespace
                       LA::Vector(contact.multipliers().locally_owned(),
                                  contact.multipliers().locally_relevant(),
                                  MPI_COMM_WORLD));
-    const ContactPair<2> &pair    = *contact.contact_pairs()[0];
-    std::string           partner = "x =";
-    double                error   = 0.;
+    const ContactPair<2> &pair = *contact.contact_pairs()[0];
+    Averages              result;
+    result.partners = "x =";
     for (const double x : {0., 0.5, 1.}) // nodes by place
       for (const auto &point : pair.points)
         {
@@ -81,13 +91,15 @@ namespace
                                  .positions[around.displacement][0];
           if (std::abs(place - x) > 1e-12 || !average.paired)
             continue;
-          std::ostringstream text;
+          std::ostringstream text, gap;
           text << ' ' << x;
-          partner += text.str();
-          error = std::max(error, std::abs(-average.r[1] - (0.1 + 0.2 * x)));
+          gap << ' ' << std::setprecision(3) << -average.r[1];
+          result.partners += text.str();
+          result.gaps += gap.str();
+          result.error =
+            std::max(result.error, std::abs(-average.r[1] - (0.1 + 0.2 * x)));
         }
-    return partner + (error < 1e-12 ? "; gaps are those of the nodes"
-                                    : "; gaps are WRONG");
+    return result;
   }
 
 
@@ -135,10 +147,29 @@ main(int argc, char *argv[])
   for (const unsigned int degree : {1, 2})
     for (const double s : {0.1, 0.12, 0.16, 0.25, 0.3, 0.7, 0.8, 1.})
       {
-        CaseProblem<2>     model(prm_of(degree, s));
+        CaseProblem<2>     model(prm_of(degree, s, straight));
+        const Averages     averages = averages_of(model);
         std::ostringstream title;
         title << "degree " << degree << ", s = " << s << ": partners at ";
-        print(title.str() + averages_of(model) + "; spread" +
-              spread(degree, s));
+        print(title.str() + averages.partners +
+              (averages.error < 1e-12 ? "; gaps are those of the nodes"
+                                      : "; gaps are WRONG") +
+              "; spread" + spread(degree, s));
       }
+  // Of a gap that rises steeply, averages of nodes where it is small say that
+  // they are closed. Farther away than half of the distance to the next node
+  // they have no partner.
+  const std::string short_edge_before =
+    "3, 1 : -1, 0 : 2, 1 : true\n"
+    "    set Coordinates = max(x, 0) + "
+    "0.4*min(x, 0); y";
+  for (const std::string gap : {"0.9 + 8*max(x - 0.4, 0)",
+                                "0.22 + 8*max(x - 0.4, 0)",
+                                "0.18 + 8*max(x - 0.4, 0)"})
+    {
+      CaseProblem<2> model(prm_of(1, 1., gap, short_edge_before));
+      const Averages averages = averages_of(model);
+      print("degree 1, s = 1, gap " + gap + ": partners at " +
+            averages.partners + "; averages" + averages.gaps);
+    }
 }

@@ -1,7 +1,32 @@
 #include <stickslip/contact/pairing/mortar_face.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace stickslip
 {
+  namespace
+  {
+    template <int dim>
+    double
+    shortest_node_distance(const FaceShape<dim>              &shape,
+                           const std::vector<Tensor<1, dim>> &nodes)
+    {
+      double shortest = std::numeric_limits<double>::max();
+      for (const NodeCell<dim> &cell : shape.cells())
+        for (unsigned int i = 0; i < cell.corners.size(); ++i)
+          {
+            const unsigned int next = (i + 1) % cell.corners.size();
+            shortest                = std::min(
+              shortest,
+              (nodes[cell.corners[next]] - nodes[cell.corners[i]]).norm());
+          }
+      return shortest;
+    }
+  } // namespace
+
+
+
   template <int dim>
   std::vector<double>
   set_weightings(const FaceShape<dim>      &displacement_shape,
@@ -13,6 +38,8 @@ namespace stickslip
     const auto           undeformed = slave.face.undeformed_nodes();
     std::vector<double>  areas;
     FaceShapeValues<dim> values;
+    slave.node_distance =
+      shortest_node_distance(displacement_shape, undeformed);
     slave.area = 0.;
     for (unsigned int q = 0; q < quadrature.size(); ++q)
       {

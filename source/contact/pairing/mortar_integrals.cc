@@ -22,6 +22,12 @@ namespace stickslip
     /// degree 2.
     constexpr double largest_amplification = 20.;
 
+    /// Surfaces that are farther apart than this fraction of the distance
+    /// between the nodes are not in contact, whatever averages say. They may be
+    /// less: where a round surface touches, and where the end of a master does
+    /// between two nodes.
+    constexpr double far_apart = 0.5;
+
 
 
     /// An integral of psi_l N_k that is less than this fraction of that of
@@ -50,6 +56,25 @@ namespace stickslip
                                       slave.missing,
                                       Quadrature<dim - 1>(places),
                                       areas);
+    }
+
+
+
+    /// How deep a point of the slave is in the master along @p normal, against
+    /// the gaps that @p slave is to keep.
+    template <int dim>
+    double
+    depth_of(const MortarFace<dim>             &slave,
+             const std::vector<double>         &N,
+             const std::vector<double>         &N_master,
+             const std::vector<Tensor<1, dim>> &master_positions,
+             const Tensor<1, dim>              &normal)
+    {
+      double depth = normal * (interpolate<dim>(N, slave.positions) -
+                               interpolate<dim>(N_master, master_positions));
+      for (unsigned int k = 0; k < slave.gap_offsets.size(); ++k)
+        depth -= N[k] * slave.gap_offsets[k];
+      return depth;
     }
 
 
@@ -87,9 +112,11 @@ namespace stickslip
   template <int dim>
   MortarIntegrals<dim>::MortarIntegrals(
     const FaceShape<dim> &displacement_shape,
-    const FaceShape<dim> &multiplier_shape)
+    const FaceShape<dim> &multiplier_shape,
+    const bool            may_part)
     : displacement_shape(displacement_shape)
     , multiplier_shape(multiplier_shape)
+    , may_part(may_part)
   {}
 
 
@@ -199,11 +226,17 @@ namespace stickslip
     integrals.area.assign(n_multipliers, 0.);
     integrals.variation.assign(n_multipliers, 0.);
     integrals.rise.assign(n_multipliers, 0.);
+    integrals.depth.assign(n_multipliers, 0.);
     integrals.D.reinit(n_multipliers, n_nodes);
     integrals.M.assign(segments.masters.size(),
                        FullMatrix<double>(n_multipliers, n_master));
     integrals.weighting = weighting_of(slave, segments, multiplier_shape);
-    std::vector<double> L, N, N_master;
+    const Tensor<1, dim> outward = outward_normal(
+      slave.face,
+      surface_tangents<dim>(displacement_shape.at_centre().gradient,
+                            slave.positions));
+    const Tensor<1, dim> normal = outward / outward.norm();
+    std::vector<double>  L, N, N_master;
     for (const auto &point : segments.points)
       {
         multiplier_shape.evaluate_values(point.xi, L);
@@ -214,6 +247,15 @@ namespace stickslip
                        point.xi,
                        patch.face(segments.masters[point.master]),
                        point.eta);
+        const double depth =
+          depth_of(
+            slave,
+            N,
+            N_master,
+            patch.configuration(segments.masters[point.master]).positions,
+            normal) +
+          rise;
+        integrals.deepest = std::max(integrals.deepest, depth);
         for (unsigned int l = 0; l < n_multipliers; ++l)
           {
             const double psi =
@@ -223,6 +265,7 @@ namespace stickslip
             integrals.area[l] += psi;
             integrals.variation[l] += std::abs(psi);
             integrals.rise[l] += psi * rise;
+            integrals.depth[l] += psi * depth;
             for (unsigned int k = 0; k < n_nodes; ++k)
               integrals.D(l, k) += psi * N[k];
             for (unsigned int k = 0; k < n_master; ++k)
@@ -230,6 +273,33 @@ namespace stickslip
           }
       }
     return integrals;
+  }
+
+
+
+  template <int dim>
+  bool
+  MortarIntegrals<dim>::is_closed_by_extrapolation(
+    const MortarNode<dim>                 &node,
+    const std::vector<MortarFace<dim>>    &faces,
+    const std::vector<FaceIntegrals<dim>> &integrals) const
+  {
+    if (!may_part)
+      return false;
+    double area = 0., depth = 0.,
+           deepest       = std::numeric_limits<double>::lowest(),
+           node_distance = std::numeric_limits<double>::max();
+    for (const auto &around : node.faces)
+      {
+        const FaceIntegrals<dim> &integral = integrals[around.face];
+        area += integral.area[around.multiplier];
+        depth += integral.depth[around.multiplier];
+        deepest = std::max(deepest, integral.deepest);
+        node_distance =
+          std::min(node_distance, faces[around.face].node_distance);
+      }
+    return depth > node.gap_offset * area &&
+           deepest < node.gap_offset - far_apart * node_distance;
   }
 
 
@@ -252,7 +322,8 @@ namespace stickslip
         variation += integrals[around.face].variation[around.multiplier];
       }
     average.paired = average.area > least_share * node.area &&
-                     variation < largest_amplification * average.area;
+                     variation < largest_amplification * average.area &&
+                     !is_closed_by_extrapolation(node, faces, integrals);
     if (!average.paired)
       return average;
 

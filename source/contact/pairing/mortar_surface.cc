@@ -35,7 +35,9 @@ namespace stickslip
                 multiplier_shape,
                 parameters.quadrature_order,
                 cross_section)
-    , integrals(displacement_shape, multiplier_shape)
+    , integrals(displacement_shape,
+                multiplier_shape,
+                !parameters.is_bilateral())
     , derivatives(displacement_shape, multiplier_shape)
     , cross_section(cross_section)
     , meets_itself(meets_itself)

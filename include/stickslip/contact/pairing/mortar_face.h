@@ -20,6 +20,7 @@ namespace stickslip
   {
     SurfaceFace<dim> face;
     double           area = 0.; ///< undeformed
+    double node_distance  = 0.; ///< the shortest between neighbours, undeformed
     /// weighting_functions() of the whole face, standard ones and those in use
     FullMatrix<double> extended;
     FullMatrix<double> weighting;
@@ -45,7 +46,7 @@ namespace stickslip
 
 
   /**
-   * Sets the undeformed area of @p slave and its weighting functions, of the
+   * Sets the undeformed sizes of @p slave and its weighting functions, of the
    * kind and without the nodes that it says. Returns their integrals over the
    * face, by multiplier.
    */

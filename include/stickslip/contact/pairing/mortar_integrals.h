@@ -4,6 +4,7 @@
 #include <stickslip/contact/pairing/segment_search.h>
 #include <stickslip/contact/point/mortar_node.h>
 
+#include <limits>
 #include <vector>
 
 namespace stickslip
@@ -21,6 +22,10 @@ namespace stickslip
     std::vector<FullMatrix<double>> M;         ///< [master][l][master node]
     /// Of psi_l times the rise of both surfaces (facet_rise.h).
     std::vector<double> rise;
+    /// Of psi_l times the depth of the slave's points in the master, along the
+    /// normal in the middle of the face, and the largest depth of a point.
+    std::vector<double> depth;
+    double              deepest = std::numeric_limits<double>::lowest();
   };
 
 
@@ -38,8 +43,10 @@ namespace stickslip
   class MortarIntegrals
   {
   public:
+    /// @p may_part: unlike what is tied, or bound in normal direction.
     MortarIntegrals(const FaceShape<dim> &displacement_shape,
-                    const FaceShape<dim> &multiplier_shape);
+                    const FaceShape<dim> &multiplier_shape,
+                    const bool            may_part);
 
     /// From the facets around a node, or at a corner from the master's.
     MortarFrame<dim>
@@ -71,6 +78,15 @@ namespace stickslip
                      const MasterPatch<dim>               &patch,
                      MortarFrame<dim>                     &frame) const;
 
+    /// Whether the node's average says that it is closed while the surfaces are
+    /// far apart wherever they are opposite: dual functions change sign, and a
+    /// gap that rises steeply, as beside a round master, is no polynomial.
+    bool
+    is_closed_by_extrapolation(
+      const MortarNode<dim>                 &node,
+      const std::vector<MortarFace<dim>>    &faces,
+      const std::vector<FaceIntegrals<dim>> &integrals) const;
+
     void
     average_normals(const MortarNode<dim>              &node,
                     const std::vector<MortarFace<dim>> &faces,
@@ -78,6 +94,7 @@ namespace stickslip
 
     const FaceShape<dim> displacement_shape;
     const FaceShape<dim> multiplier_shape;
+    const bool           may_part;
   };
 } // namespace stickslip
 
