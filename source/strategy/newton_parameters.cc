@@ -32,7 +32,9 @@ namespace stickslip
   {
     prm.add_parameter("Max iterations",
                       max_iterations,
-                      "Newton iterations after which a solve has failed.",
+                      "Newton iterations after which a solve has failed, "
+                      "unless it is converging: each three make the residual "
+                      "less than half as large.",
                       Patterns::Integer(1));
     prm.add_parameter(
       "Equilibrium tolerance",

@@ -19,12 +19,25 @@ namespace stickslip
 
 
 
+    /// A solve at its last iteration goes on as long as three iterations make
+    /// the merit smaller than this share of what the three before have.
+    constexpr double worth_going_on = 0.5;
+
+
+
     /// What is counted as long as the equations are the same: until statuses
     /// are fixed or released.
     struct Progress
     {
       unsigned int      last_iteration;
       StagnationMonitor stagnation{window_before_treatment};
+      DescentMonitor    descent{};
+
+      bool
+      ends_at(const unsigned int iteration) const
+      {
+        return iteration >= last_iteration && !descent.descends(worth_going_on);
+      }
     };
 
 
@@ -80,7 +93,7 @@ namespace stickslip
             progress = Progress{iteration + parameters.max_iterations};
             globalization.restart();
           }
-        if (iteration >= progress.last_iteration)
+        if (progress.ends_at(iteration))
           give_up(state,
                   treatment == CycleTreatment::untreatable
                     ? FailureCause::cycle
@@ -97,6 +110,7 @@ namespace stickslip
         state           = globalization.advance(before, increment, x);
         state.increment = norm.relative_increment(x, increment);
         progress.stagnation.add(residual_size(state));
+        progress.descent.add(state.merit);
         divergence.add(residual_size(state));
 
         treatment = problem.treat_cycle(progress.stagnation.stagnates());

@@ -13,9 +13,6 @@ namespace stickslip
     /// Iterations whose smallest merits are compared: cycles of two and three
     /// states are as long at most.
     constexpr unsigned int n_compared = 3;
-
-    /// Share that is a descent.
-    constexpr double clearly_smaller = 0.9;
   } // namespace
 
 
@@ -67,13 +64,13 @@ namespace stickslip
 
 
   bool
-  DescentMonitor::descends() const
+  DescentMonitor::descends(const double share) const
   {
     if (last.size() < 2 * n_compared)
       return false;
     const auto middle = last.begin() + n_compared;
     return *std::min_element(middle, last.end()) <
-           clearly_smaller * *std::min_element(last.begin(), middle);
+           share * *std::min_element(last.begin(), middle);
   }
 
 

@@ -690,14 +690,16 @@ namespace
 
 
 
-  /// sign(x) sqrt|x| until it is treated, then x with a tangent of 2, which
-  /// halves x in each iteration.
+  /// sign(x) sqrt|x| until it is treated, then x with a tangent that is wrong:
+  /// 2 halves x in each iteration.
   class TreatedCycle : public Equation
   {
   public:
-    explicit TreatedCycle(const CycleTreatment treatment)
+    explicit TreatedCycle(const CycleTreatment treatment,
+                          const double         wrong_tangent = 2.)
       : Equation(signed_root, tangent_of_signed_root)
       , treatment(treatment)
+      , wrong_tangent(wrong_tangent)
     {}
 
     CycleTreatment
@@ -709,7 +711,7 @@ namespace
       if (treatment == CycleTreatment::treated)
         {
           f       = [](const double x) { return x; };
-          tangent = [](const double) { return 2.; };
+          tangent = [this](const double) { return wrong_tangent; };
         }
       return treatment;
     }
@@ -718,6 +720,7 @@ namespace
 
   private:
     const CycleTreatment treatment;
+    const double         wrong_tangent;
   };
 
 
@@ -733,8 +736,11 @@ namespace
     solve("at most 30 with the same equations", treated, 1., parameters);
     std::cout << "    " << treated.n_treatments << " treatment\n";
     parameters.max_iterations = 26;
-    TreatedCycle too_late(CycleTreatment::treated);
-    solve("at most 26", too_late, 1., parameters);
+    TreatedCycle on_its_way(CycleTreatment::treated);
+    solve("at most 26, but on its way", on_its_way, 1., parameters);
+    // 0.8^3 is more than a half
+    TreatedCycle too_slow(CycleTreatment::treated, 5.);
+    solve("at most 26, slower", too_slow, 1., parameters);
     TreatedCycle untreated(CycleTreatment::untreatable);
     solve("nothing helps", untreated, 1., parameters);
     std::cout << "    asked " << untreated.n_treatments << " times\n";

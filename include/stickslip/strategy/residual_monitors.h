@@ -53,10 +53,10 @@ namespace stickslip
     void
     add(const double merit);
 
-    /// The smallest of the last few is clearly smaller than that of as many
-    /// before them.
+    /// The smallest of the last three is smaller than this @p share of that of
+    /// the three before them.
     bool
-    descends() const;
+    descends(const double share = clearly_smaller) const;
 
     /// It has been a small part of the first one: what is left to do concerns
     /// few points.
@@ -67,7 +67,8 @@ namespace stickslip
     }
 
   private:
-    static constexpr double far_down = 1e-3;
+    static constexpr double clearly_smaller = 0.9;
+    static constexpr double far_down        = 1e-3;
 
     std::deque<double> last; ///< the newest at the end
     double             first    = 0.;
