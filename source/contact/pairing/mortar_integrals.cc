@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace stickslip
 {
@@ -60,21 +61,17 @@ namespace stickslip
 
 
 
-    /// How deep a point of the slave is in the master along @p normal, against
-    /// the gaps that @p slave is to keep.
+    /// The gap that @p slave is to keep where its shape functions are @p N.
     template <int dim>
     double
-    depth_of(const MortarFace<dim>             &slave,
-             const std::vector<double>         &N,
-             const std::vector<double>         &N_master,
-             const std::vector<Tensor<1, dim>> &master_positions,
-             const Tensor<1, dim>              &normal)
+    kept_gap(const MortarFace<dim> &slave, const std::vector<double> &N)
     {
-      double depth = normal * (interpolate<dim>(N, slave.positions) -
-                               interpolate<dim>(N_master, master_positions));
-      for (unsigned int k = 0; k < slave.gap_offsets.size(); ++k)
-        depth -= N[k] * slave.gap_offsets[k];
-      return depth;
+      return slave.gap_offsets.empty()
+               ? 0.
+               : std::inner_product(N.begin(),
+                                    N.end(),
+                                    slave.gap_offsets.begin(),
+                                    0.);
     }
 
 
@@ -242,19 +239,14 @@ namespace stickslip
         multiplier_shape.evaluate_values(point.xi, L);
         displacement_shape.evaluate_values(point.xi, N);
         patch.evaluate_values(point.chart, point.eta, N_master);
-        const double rise =
-          rise_between(slave.face,
-                       point.xi,
-                       patch.face(segments.masters[point.master]),
-                       point.eta);
+        const unsigned int m = segments.masters[point.master];
+        const double       rise =
+          rise_between(slave.face, point.xi, patch.face(m), point.eta);
         const double depth =
-          depth_of(
-            slave,
-            N,
-            N_master,
-            patch.configuration(segments.masters[point.master]).positions,
-            normal) +
-          rise;
+          normal *
+            (interpolate<dim>(N, slave.positions) -
+             interpolate<dim>(N_master, patch.configuration(m).positions)) +
+          rise - kept_gap(slave, N);
         integrals.deepest = std::max(integrals.deepest, depth);
         for (unsigned int l = 0; l < n_multipliers; ++l)
           {
@@ -279,7 +271,7 @@ namespace stickslip
 
   template <int dim>
   bool
-  MortarIntegrals<dim>::is_closed_by_extrapolation(
+  MortarIntegrals<dim>::is_closed_from_afar(
     const MortarNode<dim>                 &node,
     const std::vector<MortarFace<dim>>    &faces,
     const std::vector<FaceIntegrals<dim>> &integrals) const
@@ -323,7 +315,7 @@ namespace stickslip
       }
     average.paired = average.area > least_share * node.area &&
                      variation < largest_amplification * average.area &&
-                     !is_closed_by_extrapolation(node, faces, integrals);
+                     !is_closed_from_afar(node, faces, integrals);
     if (!average.paired)
       return average;
 

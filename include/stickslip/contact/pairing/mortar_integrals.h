@@ -82,10 +82,9 @@ namespace stickslip
     /// far apart wherever they are opposite: dual functions change sign, and a
     /// gap that rises steeply, as beside a round master, is no polynomial.
     bool
-    is_closed_by_extrapolation(
-      const MortarNode<dim>                 &node,
-      const std::vector<MortarFace<dim>>    &faces,
-      const std::vector<FaceIntegrals<dim>> &integrals) const;
+    is_closed_from_afar(const MortarNode<dim>                 &node,
+                        const std::vector<MortarFace<dim>>    &faces,
+                        const std::vector<FaceIntegrals<dim>> &integrals) const;
 
     void
     average_normals(const MortarNode<dim>              &node,
