@@ -164,7 +164,8 @@ namespace stickslip
       const auto group = find_group<dim>(
         step,
         [](const auto &point) {
-          return point.was_paired && point.state == ContactState::unpaired;
+          return point.was_paired && point.state == ContactState::unpaired &&
+                 !point.is_far;
         },
         communicator);
       if (group.n == 0)

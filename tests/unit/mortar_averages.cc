@@ -47,7 +47,7 @@ namespace
          << "subsection Contact\n  subsection pair\n"
          << "    set Slave body      = slave\n    set Slave boundary  = 3\n"
          << "    set Master body     = master\n    set Master boundary = 2\n"
-         << "  end\nend\n";
+         << "    set Search distance = 20\n  end\nend\n";
     return text.str();
   }
 
@@ -138,6 +138,20 @@ namespace
       }
     return text.str();
   }
+
+
+
+  /// Of a @p slave of degree 1 below a @p gap.
+  void
+  show(const std::string &what,
+       const std::string &gap,
+       const std::string &slave)
+  {
+    CaseProblem<2> model(prm_of(1, 1., gap, slave));
+    const Averages averages = averages_of(model);
+    print(what + ", gap " + gap + ": partners at " + averages.partners +
+          "; averages" + averages.gaps);
+  }
 } // namespace
 
 int
@@ -156,20 +170,26 @@ main(int argc, char *argv[])
                                       : "; gaps are WRONG") +
               "; spread" + spread(degree, s));
       }
-  // Of a gap that rises steeply, averages of nodes where it is small say that
-  // they are closed. Farther away than half of the distance to the next node
-  // they have no partner.
+  // Of a gap that begins to rise steeply within an edge (of 1, after one of
+  // 0.4), the average of the node where it is small says closed. Nothing is,
+  // if it is farther away than half of the edge.
   const std::string short_edge_before =
     "3, 1 : -1, 0 : 2, 1 : true\n"
     "    set Coordinates = max(x, 0) + "
     "0.4*min(x, 0); y";
-  for (const std::string gap : {"0.9 + 8*max(x - 0.4, 0)",
-                                "0.22 + 8*max(x - 0.4, 0)",
-                                "0.18 + 8*max(x - 0.4, 0)"})
-    {
-      CaseProblem<2> model(prm_of(1, 1., gap, short_edge_before));
-      const Averages averages = averages_of(model);
-      print("degree 1, s = 1, gap " + gap + ": partners at " +
-            averages.partners + "; averages" + averages.gaps);
-    }
+  for (const std::string gap : {"1.1 + 8*max(x - 0.4, 0)",
+                                "0.52 + 8*max(x - 0.4, 0)",
+                                "0.48 + 8*max(x - 0.4, 0)"})
+    show("kink", gap, short_edge_before);
+  // Corners that touch: all integration points of an edge that is inclined by
+  // that much are farther away, its node is not.
+  for (const std::string gap : {"8*x - 0.01", "8*abs(x) - 0.01"})
+    show("touches", gap, "1, 1 : 0, 0 : 1, 1 : true");
+  // and where the master ends before the node, so do not the surfaces
+  {
+    CaseProblem<2> model(prm_of(1, 0.3, "3 - 4*x"));
+    const Averages averages = averages_of(model);
+    print("ends before the node: partners at " + averages.partners +
+          "; averages" + averages.gaps);
+  }
 }

@@ -30,6 +30,7 @@ namespace stickslip
       result.position           = Point<dim>(pair.slave_position(point).x);
       result.state = shown_state(observe(point, state).state, pair.parameters);
       result.was_paired    = point.initial_pairing.paired;
+      result.is_far        = point.pairing.is_far;
       result.has_threshold = state.response.threshold > 0.;
       if (!point.pairing.paired)
         return result;

@@ -2,6 +2,7 @@
 
 #include <stickslip/contact/pairing/corner_normals.h>
 #include <stickslip/contact/pairing/corner_tangents.h>
+#include <stickslip/contact/pairing/far_surfaces.h>
 #include <stickslip/contact/surface/facet_rise.h>
 
 #include <algorithm>
@@ -22,12 +23,6 @@ namespace stickslip
     /// from it. Whole faces: 1.7 per direction with degree 1, 2.2 with
     /// degree 2.
     constexpr double largest_amplification = 20.;
-
-    /// Surfaces that are farther apart than this fraction of the distance
-    /// between the nodes are not in contact, whatever averages say. They may be
-    /// less: where a round surface touches, and where the end of a master does
-    /// between two nodes.
-    constexpr double far_apart = 0.5;
 
 
 
@@ -270,33 +265,6 @@ namespace stickslip
 
 
   template <int dim>
-  bool
-  MortarIntegrals<dim>::is_closed_from_afar(
-    const MortarNode<dim>                 &node,
-    const std::vector<MortarFace<dim>>    &faces,
-    const std::vector<FaceIntegrals<dim>> &integrals) const
-  {
-    if (!may_part)
-      return false;
-    double area = 0., depth = 0.,
-           deepest       = std::numeric_limits<double>::lowest(),
-           node_distance = std::numeric_limits<double>::max();
-    for (const auto &around : node.faces)
-      {
-        const FaceIntegrals<dim> &integral = integrals[around.face];
-        area += integral.area[around.multiplier];
-        depth += integral.depth[around.multiplier];
-        deepest = std::max(deepest, integral.deepest);
-        node_distance =
-          std::min(node_distance, faces[around.face].node_distance);
-      }
-    return depth > node.gap_offset * area &&
-           deepest < node.gap_offset - far_apart * node_distance;
-  }
-
-
-
-  template <int dim>
   MortarAverage<dim>
   MortarIntegrals<dim>::average(
     const MortarNode<dim>                 &node,
@@ -313,9 +281,17 @@ namespace stickslip
         average.area += integrals[around.face].area[around.multiplier];
         variation += integrals[around.face].variation[around.multiplier];
       }
-    average.paired = average.area > least_share * node.area &&
-                     variation < largest_amplification * average.area &&
-                     !is_closed_from_afar(node, faces, integrals);
+    if (average.area > least_share * node.area &&
+        variation < largest_amplification * average.area)
+      {
+        average.is_far = may_part && is_closed_from_afar(displacement_shape,
+                                                         node,
+                                                         faces,
+                                                         segments,
+                                                         integrals,
+                                                         patch);
+        average.paired = !average.is_far;
+      }
     if (!average.paired)
       return average;
 

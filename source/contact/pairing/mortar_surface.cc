@@ -307,7 +307,8 @@ namespace stickslip
     shares.clear();
     if (integrated != current->segments)
       {
-        // a function of the segments alone: frozen ones keep them
+        // Functions of the segments alone: frozen ones keep them, and who was
+        // far from its master where they were found.
         integrated = current->segments;
         over_faces.clear();
         for (unsigned int f = 0; f < faces.size(); ++f)
@@ -351,6 +352,7 @@ namespace stickslip
   {
     Pairing<dim> pairing;
     pairing.paired = averages[i].paired;
+    pairing.is_far = averages[i].is_far;
     if (!pairing.paired)
       return pairing;
     pairing.face = averages[i].main_master;

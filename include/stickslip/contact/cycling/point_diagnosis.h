@@ -22,6 +22,7 @@ namespace stickslip
 
     ContactState state;
     bool         was_paired;    ///< when the last step was accepted
+    bool         is_far;        ///< unpaired, though a master is opposite
     bool         has_threshold; ///< friction threshold above 0
 
     std::string              history; ///< StatusHistory::text()

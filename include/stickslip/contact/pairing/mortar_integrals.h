@@ -78,14 +78,6 @@ namespace stickslip
                      const MasterPatch<dim>               &patch,
                      MortarFrame<dim>                     &frame) const;
 
-    /// Whether the node's average says that it is closed while the surfaces are
-    /// far apart wherever they are opposite: dual functions change sign, and a
-    /// gap that rises steeply, as beside a round master, is no polynomial.
-    bool
-    is_closed_from_afar(const MortarNode<dim>                 &node,
-                        const std::vector<MortarFace<dim>>    &faces,
-                        const std::vector<FaceIntegrals<dim>> &integrals) const;
-
     void
     average_normals(const MortarNode<dim>              &node,
                     const std::vector<MortarFace<dim>> &faces,

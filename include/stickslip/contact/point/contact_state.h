@@ -9,9 +9,10 @@ namespace stickslip
 {
   using namespace dealii;
 
-  /// What a contact point is doing. `unpaired`: no master face in reach.
-  /// `closed`: of a pair without friction; only results tell it from `slip`.
-  /// `tied`: of a tied pair; only results tell it from `stick`.
+  /// What a contact point is doing. `unpaired`: no master face in reach, or
+  /// only one that is too far away to touch (far_surfaces.h). `closed`: of a
+  /// pair without friction; only results tell it from `slip`. `tied`: of a tied
+  /// pair; only results tell it from `stick`.
   enum class ContactState
   {
     unpaired = 0,

@@ -18,8 +18,9 @@ namespace stickslip
   struct Pairing
   {
     bool         paired = false;
-    unsigned int face   = 0; ///< in the local patch
-    FaceId       face_id;    ///< the same, everywhere
+    bool         is_far = false; ///< not paired, though a master is opposite
+    unsigned int face   = 0;     ///< in the local patch
+    FaceId       face_id;        ///< the same, everywhere
 
     unsigned int    chart = 0; ///< of a rigid tool: that of xi
     Point<dim - 1>  xi;
