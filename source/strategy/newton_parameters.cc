@@ -30,12 +30,13 @@ namespace stickslip
   void
   NewtonParameters::add_parameters(ParameterHandler &prm)
   {
-    prm.add_parameter("Max iterations",
-                      max_iterations,
-                      "Newton iterations after which a solve has failed, "
-                      "unless it is converging: each three make the residual "
-                      "less than half as large.",
-                      Patterns::Integer(1));
+    prm.add_parameter(
+      "Max iterations",
+      max_iterations,
+      "Newton iterations after which a solve has failed; half "
+      "as many more while the residual is on its way down, each "
+      "three iterations to less than half of all before.",
+      Patterns::Integer(1));
     prm.add_parameter(
       "Equilibrium tolerance",
       equilibrium_tolerance,

@@ -19,24 +19,22 @@ namespace stickslip
 
 
 
-    /// A solve at its last iteration goes on as long as three iterations make
-    /// the merit smaller than this share of what the three before have.
-    constexpr double worth_going_on = 0.5;
-
-
-
     /// What is counted as long as the equations are the same: until statuses
     /// are fixed or released.
     struct Progress
     {
-      unsigned int      last_iteration;
+      unsigned int      first_iteration;
+      unsigned int      max_iterations;
       StagnationMonitor stagnation{window_before_treatment};
       DescentMonitor    descent{};
 
+      /// A solve that is on its way may take half as many more.
       bool
       ends_at(const unsigned int iteration) const
       {
-        return iteration >= last_iteration && !descent.descends(worth_going_on);
+        const unsigned int n = iteration - first_iteration;
+        return n >= max_iterations + max_iterations / 2 ||
+               (n >= max_iterations && !descent.is_on_its_way());
       }
     };
 
@@ -78,7 +76,7 @@ namespace stickslip
     IncrementNorm              norm(problem, x);
     DivergenceMonitor          divergence(residual_size(state));
     Globalization              globalization(parameters, problem);
-    Progress                   progress{parameters.max_iterations};
+    Progress                   progress{0, parameters.max_iterations};
     CycleTreatment             treatment = CycleTreatment::none;
     LA::BlockVector            increment(x);
     for (unsigned int iteration = 0;; ++iteration)
@@ -90,7 +88,7 @@ namespace stickslip
             state = with_new_residual(problem, x, state);
             if (criterion.is_met(iteration, before, state))
               return iteration;
-            progress = Progress{iteration + parameters.max_iterations};
+            progress = Progress{iteration, parameters.max_iterations};
             globalization.restart();
           }
         if (progress.ends_at(iteration))
@@ -121,7 +119,7 @@ namespace stickslip
         if (treatment == CycleTreatment::treated)
           {
             state    = with_new_residual(problem, x, state);
-            progress = Progress{iteration + 1 + parameters.max_iterations};
+            progress = Progress{iteration + 1, parameters.max_iterations};
             globalization.restart();
           }
       }

@@ -57,6 +57,9 @@ namespace stickslip
       first = merit;
     smallest = std::min(smallest, merit);
     last.push_back(merit);
+    if (last.size() > n_compared)
+      smallest_before =
+        std::min(smallest_before, last[last.size() - n_compared - 1]);
     if (last.size() > 2 * n_compared)
       last.pop_front();
   }
@@ -64,13 +67,22 @@ namespace stickslip
 
 
   bool
-  DescentMonitor::descends(const double share) const
+  DescentMonitor::descends() const
   {
     if (last.size() < 2 * n_compared)
       return false;
     const auto middle = last.begin() + n_compared;
     return *std::min_element(middle, last.end()) <
-           share * *std::min_element(last.begin(), middle);
+           clearly_smaller * *std::min_element(last.begin(), middle);
+  }
+
+
+
+  bool
+  DescentMonitor::is_on_its_way() const
+  {
+    return last.size() == 2 * n_compared &&
+           smallest < worth_going_on * smallest_before;
   }
 
 

@@ -53,10 +53,15 @@ namespace stickslip
     void
     add(const double merit);
 
-    /// The smallest of the last three is smaller than this @p share of that of
-    /// the three before them.
+    /// The smallest of the last three is clearly smaller than that of the three
+    /// before them.
     bool
-    descends(const double share = clearly_smaller) const;
+    descends() const;
+
+    /// It is less than half of all before: not only back from where the
+    /// iterations have led away.
+    bool
+    is_on_its_way() const;
 
     /// It has been a small part of the first one: what is left to do concerns
     /// few points.
@@ -68,11 +73,13 @@ namespace stickslip
 
   private:
     static constexpr double clearly_smaller = 0.9;
+    static constexpr double worth_going_on  = 0.5;
     static constexpr double far_down        = 1e-3;
 
     std::deque<double> last; ///< the newest at the end
-    double             first    = 0.;
-    double             smallest = std::numeric_limits<double>::max();
+    double             first           = 0.;
+    double             smallest_before = std::numeric_limits<double>::max();
+    double             smallest        = std::numeric_limits<double>::max();
   };
 
 
