@@ -266,9 +266,9 @@ namespace stickslip
     double             least = target.norm();
     for (const auto &choice : choices<dim>(cone.size()))
       {
-        std::vector<Tensor<1, dim>> directions;
-        for (const unsigned int i : choice)
-          directions.push_back(cone[i].direction);
+        std::vector<Tensor<1, dim>> directions(choice.size());
+        for (unsigned int i = 0; i < choice.size(); ++i)
+          directions[i] = cone[choice[i]].direction;
         const auto duals = dual_basis<dim>(directions);
         if (duals.empty() ||
             std::any_of(duals.begin(), duals.end(), [&](const auto &dual) {
@@ -276,11 +276,7 @@ namespace stickslip
             }))
           continue;
         if (choice.size() == dim)
-          {
-            result   = {};
-            result.M = target;
-            return result;
-          }
+          return {target, {}, {}};
         Tensor<1, dim> M;
         for (unsigned int i = 0; i < choice.size(); ++i)
           M += (duals[i] * target) * directions[i];
