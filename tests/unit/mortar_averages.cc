@@ -24,13 +24,14 @@ namespace
 {
   using namespace stickslip;
 
-  /// A @p slave, of one cell, below a master that ends at s and
+  /// A @p slave, of one cell, below a master with @p n cells that ends at s and
   /// whose lower side has the height 1 + @p gap.
   std::string
   prm_of(const unsigned int degree,
          const double       s,
          const std::string &gap,
-         const std::string &slave = "1, 1 : 0, 0 : 1, 1 : true")
+         const std::string &slave = "1, 1 : 0, 0 : 1, 1 : true",
+         const unsigned int n     = 30)
   {
     std::ostringstream text;
     text << "set Dimension = 2\nset Degree = " << degree << "\n"
@@ -39,7 +40,8 @@ namespace
          << "    set Arguments = " << slave << "\n"
          << "    set Material  = rubber\n  end\n  subsection master\n"
          << "    set Generator   = subdivided_hyper_rectangle\n"
-         << "    set Arguments   = 30, 1 : -1, 0 : " << s << ", 1 : true\n"
+         << "    set Arguments   = " << n << ", 1 : -1, 0 : " << s
+         << ", 1 : true\n"
          << "    set Coordinates = x; y + 1 + " << gap << "\n"
          << "    set Material    = rubber\n  end\nend\n"
          << "subsection Materials\n  subsection rubber\n"
@@ -141,16 +143,61 @@ namespace
 
 
 
-  /// Of a @p slave of degree 1 below a @p gap.
   void
-  show(const std::string &what,
-       const std::string &gap,
-       const std::string &slave)
+  show(const std::string &what, const std::string &prm)
   {
-    CaseProblem<2> model(prm_of(1, 1., gap, slave));
+    CaseProblem<2> model(prm);
     const Averages averages = averages_of(model);
-    print(what + ", gap " + gap + ": partners at " + averages.partners +
-          "; averages" + averages.gaps);
+    print(what + ": partners at " + averages.partners + "; averages" +
+          averages.gaps);
+  }
+
+
+
+  /// An edge of 1 after one of 0.4, below a gap that begins to rise steeply
+  /// within it.
+  std::string
+  kink(const double gap)
+  {
+    return prm_of(1,
+                  1.,
+                  std::to_string(gap) + " + 8*max(x - 0.4, 0)",
+                  "3, 1 : -1, 0 : 2, 1 : true\n"
+                  "    set Coordinates = max(x, 0) + 0.4*min(x, 0); y");
+  }
+
+
+
+  /// A node that has touched in a step keeps its partner.
+  void
+  test_memory()
+  {
+    CaseProblem<2>  model(kink(0.48));
+    ContactPair<2> &pair = *model.problem.contact().contact_pairs()[0];
+    const auto show_with = [&](const std::string &what, const double more) {
+      pair.mortar->update_gap_offsets([&](const Point<2> &) { return more; });
+      const Averages averages = averages_of(model);
+      print(what + ": partners at " + averages.partners);
+    };
+    show_with("near", 0.);
+    show_with("  farther, from there", 0.1);
+    show_with("near", 0.);
+    pair.mortar->accept_iterate();
+    show_with("  farther, from an accepted iterate", 0.1);
+    pair.mortar->accept_iterate();
+    show_with("  and farther", 0.2);
+    pair.mortar->accept_iterate();
+    show_with("  open", 0.7);
+    pair.mortar->accept_iterate();
+    show_with("  back", 0.2);
+    show_with("near", 0.);
+    pair.mortar->accept_iterate();
+    pair.mortar->accept_step();
+    show_with("  farther, from an accepted step", 0.1);
+    show_with("near", 0.);
+    pair.mortar->accept_iterate();
+    pair.mortar->restore();
+    show_with("  farther, in a repeated step", 0.1);
   }
 } // namespace
 
@@ -170,26 +217,18 @@ main(int argc, char *argv[])
                                       : "; gaps are WRONG") +
               "; spread" + spread(degree, s));
       }
-  // Of a gap that begins to rise steeply within an edge (of 1, after one of
-  // 0.4), the average of the node where it is small says closed. Nothing is,
-  // if it is farther away than half of the edge.
-  const std::string short_edge_before =
-    "3, 1 : -1, 0 : 2, 1 : true\n"
-    "    set Coordinates = max(x, 0) + "
-    "0.4*min(x, 0); y";
-  for (const std::string gap : {"1.1 + 8*max(x - 0.4, 0)",
-                                "0.52 + 8*max(x - 0.4, 0)",
-                                "0.48 + 8*max(x - 0.4, 0)"})
-    show("kink", gap, short_edge_before);
-  // Corners that touch: all integration points of an edge that is inclined by
-  // that much are farther away, its node is not.
-  for (const std::string gap : {"8*x - 0.01", "8*abs(x) - 0.01"})
-    show("touches", gap, "1, 1 : 0, 0 : 1, 1 : true");
-  // and where the master ends before the node, so do not the surfaces
-  {
-    CaseProblem<2> model(prm_of(1, 0.3, "3 - 4*x"));
-    const Averages averages = averages_of(model);
-    print("ends before the node: partners at " + averages.partners +
-          "; averages" + averages.gaps);
-  }
+  // The average of the node where the gap is small says closed, or hardly open.
+  // Nothing touches if it is farther away than half of the edge.
+  for (const double gap : {1.1, 0.9, 0.52, 0.48})
+    show("kink above " + std::to_string(gap).substr(0, 4), kink(gap));
+  // Edges that are inclined by so much that all of their integration points are
+  // farther away, and touch with an end.
+  show("touches", prm_of(1, 1., "8*x - 0.01", "1, 1 : 0, 0 : 1, 1 : true", 2));
+  show("touches with a corner",
+       prm_of(1, 1., "8*abs(x) - 0.01", "2, 1 : -1, 0 : 1, 1 : true", 2));
+  for (const double s : {0.3, 0.55})
+    show("the master ends at " + std::to_string(s).substr(0, 4) +
+           ", where its extension would touch",
+         prm_of(1, s, "3 - 4*x"));
+  test_memory();
 }

@@ -738,6 +738,10 @@ namespace
     parameters.max_iterations = 26;
     TreatedCycle on_its_way(CycleTreatment::treated);
     solve("at most 26, but on its way", on_its_way, 1., parameters);
+    parameters.max_iterations = 16;
+    TreatedCycle too_far(CycleTreatment::treated);
+    solve("at most 16, and half as many more", too_far, 1., parameters);
+    parameters.max_iterations = 26;
     // 0.8^3 is more than a half
     TreatedCycle too_slow(CycleTreatment::treated, 5.);
     solve("at most 26, slower", too_slow, 1., parameters);
@@ -876,16 +880,20 @@ namespace
         seen += monitor.stagnates() ? '1' : '0';
       }
     std::cout << "  5 4 3.7 3.65 3.2 3.3 3.1: " << seen << '\n';
-    // a cycle of three after a start below it; a transient that comes down
+    // a cycle of three after a start below it; transients that come down, not
+    // below and below where they began
     for (const auto &merits : {std::vector<double>{1., 5., 4., 6., 5., 4., 6.},
-                               {1., 5., 5., 4., 3.9, 3., 2.6}})
+                               {1., 5., 5., 4., 3.9, 3., 2.6},
+                               {4., 100., 80., 60., 30., 20., 10.},
+                               {4., 10., 8., 6., 3., 2., 1.}})
       {
         DescentMonitor descent;
         std::cout << "  descends:";
         for (const double merit : merits)
           {
             descent.add(merit);
-            std::cout << ' ' << descent.descends();
+            std::cout << ' ' << descent.descends()
+                      << (descent.is_on_its_way() ? " on its way" : "");
           }
         std::cout << '\n';
       }

@@ -19,9 +19,15 @@ namespace stickslip
 
 
 
+    /// Of the width of a cell between nodes: an integration point is closer to
+    /// a node if the whole cell has a master opposite.
+    constexpr double close_to_node = 0.25;
+
+
+
     /// Depth of node @p k of @p slave behind the tangent plane of the master at
-    /// the integration point nearest to it, along the normal in the middle of
-    /// the face; `nowhere` if there is none on the half way to the next node.
+    /// the integration point nearest to it, along its own normal; `nowhere` if
+    /// none is close to it, or if that plane is seen from its edge.
     template <int dim>
     double
     depth_of_node(const FaceShape<dim>    &shape,
@@ -39,7 +45,7 @@ namespace stickslip
                                               return distance(a) < distance(b);
                                             });
       if (nearest == segments.points.end() ||
-          distance(*nearest) > 0.5 / shape.degree())
+          distance(*nearest) > close_to_node / shape.degree())
         return nowhere;
       Pairing<dim> there;
       there.face  = segments.masters[nearest->master];
@@ -49,10 +55,12 @@ namespace stickslip
       patch.evaluate(there, patch.configuration(there.face), master);
       const Tensor<1, dim> outward =
         outward_normal(slave.face,
-                       surface_tangents<dim>(shape.at_centre().gradient,
+                       surface_tangents<dim>(shape.at_node(k).gradient,
                                              slave.positions));
-      return master.n * (slave.positions[k] - master.x) /
-               (master.n * outward / outward.norm()) +
+      const double cosine = master.n * outward / outward.norm();
+      if (cosine < patch.tolerances.least_cosine)
+        return nowhere;
+      return master.n * (slave.positions[k] - master.x) / cosine +
              rise_between(slave.face,
                           shape.node(k),
                           patch.face(there.face),
@@ -64,49 +72,90 @@ namespace stickslip
 
 
   template <int dim>
-  bool
-  is_closed_from_afar(const FaceShape<dim>                  &shape,
-                      const MortarNode<dim>                 &node,
-                      const std::vector<MortarFace<dim>>    &faces,
-                      const std::vector<FaceSegments<dim>>  &segments,
-                      const std::vector<FaceIntegrals<dim>> &integrals,
-                      const MasterPatch<dim>                &patch)
+  NodeGap
+  node_gap_of(const FaceShape<dim>                  &shape,
+              const MortarNode<dim>                 &node,
+              const std::vector<MortarFace<dim>>    &faces,
+              const std::vector<FaceSegments<dim>>  &segments,
+              const std::vector<FaceIntegrals<dim>> &integrals,
+              const MasterPatch<dim>                &patch)
   {
     double area = 0., depth = 0.;
     double node_distance = std::numeric_limits<double>::max();
     for (const auto &around : node.faces)
       {
-        const FaceIntegrals<dim> &integral = integrals[around.face];
-        const double              here     = faces[around.face].node_distance;
-        if (integral.deepest > node.gap_offset - far_apart * here)
-          return false;
-        area += integral.area[around.multiplier];
-        depth += integral.depth[around.multiplier];
-        node_distance = std::min(node_distance, here);
+        area += integrals[around.face].area[around.multiplier];
+        depth += integrals[around.face].depth[around.multiplier];
+        node_distance =
+          std::min(node_distance, faces[around.face].node_distance);
       }
-    if (depth < (node.gap_offset - hardly_open * node_distance) * area)
-      return false; // open anyway
-    return std::none_of(node.faces.begin(),
-                        node.faces.end(),
-                        [&](const auto &around) {
-                          const MortarFace<dim> &slave = faces[around.face];
-                          return depth_of_node(shape,
-                                               around.displacement,
-                                               slave,
-                                               segments[around.face],
-                                               patch) >
-                                 node.gap_offset -
-                                   far_apart * slave.node_distance;
-                        });
+    if (area <= 0. ||
+        depth < (node.gap_offset - hardly_open * node_distance) * area)
+      return NodeGap::open;
+    const auto touches = [&](const auto &around, const double deepest) {
+      return deepest >
+             node.gap_offset - far_apart * faces[around.face].node_distance;
+    };
+    for (const auto &around : node.faces)
+      if (touches(around, integrals[around.face].deepest))
+        return NodeGap::near;
+    for (const auto &around : node.faces)
+      if (touches(around,
+                  depth_of_node(shape,
+                                around.displacement,
+                                faces[around.face],
+                                segments[around.face],
+                                patch)))
+        return NodeGap::near;
+    return NodeGap::far;
   }
 
-#define INSTANTIATE(dim)                                                     \
-  template bool is_closed_from_afar(const FaceShape<dim> &,                  \
-                                    const MortarNode<dim> &,                 \
-                                    const std::vector<MortarFace<dim>> &,    \
-                                    const std::vector<FaceSegments<dim>> &,  \
-                                    const std::vector<FaceIntegrals<dim>> &, \
-                                    const MasterPatch<dim> &);
+
+
+  template <int dim>
+  void
+  FarNodes<dim>::find(const FaceShape<dim>                  &shape,
+                      const std::vector<MortarNode<dim>>    &nodes,
+                      const std::vector<MortarFace<dim>>    &faces,
+                      const std::vector<FaceSegments<dim>>  &segments,
+                      const std::vector<FaceIntegrals<dim>> &integrals,
+                      const MasterPatch<dim>                &patch)
+  {
+    gaps.clear();
+    for (const auto &node : nodes)
+      gaps.push_back(
+        node_gap_of(shape, node, faces, segments, integrals, patch));
+    has_touched.resize(nodes.size(), false);
+  }
+
+
+
+  template <int dim>
+  void
+  FarNodes<dim>::accept_iterate()
+  {
+    for (unsigned int i = 0; i < gaps.size(); ++i)
+      has_touched[i] =
+        gaps[i] == NodeGap::near || (gaps[i] == NodeGap::far && has_touched[i]);
+  }
+
+
+
+  template <int dim>
+  void
+  FarNodes<dim>::forget_touches()
+  {
+    has_touched.assign(has_touched.size(), false);
+  }
+
+#define INSTANTIATE(dim)                                                \
+  template class FarNodes<dim>;                                         \
+  template NodeGap node_gap_of(const FaceShape<dim> &,                  \
+                               const MortarNode<dim> &,                 \
+                               const std::vector<MortarFace<dim>> &,    \
+                               const std::vector<FaceSegments<dim>> &,  \
+                               const std::vector<FaceIntegrals<dim>> &, \
+                               const MasterPatch<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

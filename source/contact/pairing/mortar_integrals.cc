@@ -2,7 +2,6 @@
 
 #include <stickslip/contact/pairing/corner_normals.h>
 #include <stickslip/contact/pairing/corner_tangents.h>
-#include <stickslip/contact/pairing/far_surfaces.h>
 #include <stickslip/contact/surface/facet_rise.h>
 
 #include <algorithm>
@@ -104,11 +103,9 @@ namespace stickslip
   template <int dim>
   MortarIntegrals<dim>::MortarIntegrals(
     const FaceShape<dim> &displacement_shape,
-    const FaceShape<dim> &multiplier_shape,
-    const bool            may_part)
+    const FaceShape<dim> &multiplier_shape)
     : displacement_shape(displacement_shape)
     , multiplier_shape(multiplier_shape)
-    , may_part(may_part)
   {}
 
 
@@ -268,6 +265,7 @@ namespace stickslip
   MortarAverage<dim>
   MortarIntegrals<dim>::average(
     const MortarNode<dim>                 &node,
+    const bool                             reached,
     const std::vector<MortarFace<dim>>    &faces,
     const std::vector<FaceSegments<dim>>  &segments,
     const std::vector<FaceIntegrals<dim>> &integrals,
@@ -281,17 +279,8 @@ namespace stickslip
         average.area += integrals[around.face].area[around.multiplier];
         variation += integrals[around.face].variation[around.multiplier];
       }
-    if (average.area > least_share * node.area &&
-        variation < largest_amplification * average.area)
-      {
-        average.is_far = may_part && is_closed_from_afar(displacement_shape,
-                                                         node,
-                                                         faces,
-                                                         segments,
-                                                         integrals,
-                                                         patch);
-        average.paired = !average.is_far;
-      }
+    average.paired = reached && average.area > least_share * node.area &&
+                     variation < largest_amplification * average.area;
     if (!average.paired)
       return average;
 

@@ -35,12 +35,11 @@ namespace stickslip
                 multiplier_shape,
                 parameters.quadrature_order,
                 cross_section)
-    , integrals(displacement_shape,
-                multiplier_shape,
-                !parameters.is_bilateral())
+    , integrals(displacement_shape, multiplier_shape)
     , derivatives(displacement_shape, multiplier_shape)
     , cross_section(cross_section)
     , meets_itself(meets_itself)
+    , may_part(!parameters.is_bilateral())
     , shares(displacement_shape, multiplier_shape)
   {
     collect_mortar_nodes(displacement_shape,
@@ -307,17 +306,20 @@ namespace stickslip
     shares.clear();
     if (integrated != current->segments)
       {
-        // Functions of the segments alone: frozen ones keep them, and who was
-        // far from its master where they were found.
+        // Functions of the segments alone: frozen ones keep them, and which
+        // nodes were far from their masters where they were found.
         integrated = current->segments;
         over_faces.clear();
         for (unsigned int f = 0; f < faces.size(); ++f)
           over_faces.push_back(
             integrals.integrate(faces[f], segments[f], patch));
+        if (may_part)
+          far_nodes.find(
+            displacement_shape, nodes, faces, segments, over_faces, patch);
       }
     for (unsigned int i = 0; i < nodes.size(); ++i)
-      averages[i] =
-        integrals.average(nodes[i], faces, segments, over_faces, patch);
+      averages[i] = integrals.average(
+        nodes[i], !far_nodes.contain(i), faces, segments, over_faces, patch);
   }
 
 
@@ -352,7 +354,7 @@ namespace stickslip
   {
     Pairing<dim> pairing;
     pairing.paired = averages[i].paired;
-    pairing.is_far = averages[i].is_far;
+    pairing.is_far = far_nodes.contain(i);
     if (!pairing.paired)
       return pairing;
     pairing.face = averages[i].main_master;

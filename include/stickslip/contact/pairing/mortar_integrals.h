@@ -43,10 +43,8 @@ namespace stickslip
   class MortarIntegrals
   {
   public:
-    /// @p may_part: unlike what is tied, or bound in normal direction.
     MortarIntegrals(const FaceShape<dim> &displacement_shape,
-                    const FaceShape<dim> &multiplier_shape,
-                    const bool            may_part);
+                    const FaceShape<dim> &multiplier_shape);
 
     /// From the facets around a node, or at a corner from the master's.
     MortarFrame<dim>
@@ -60,9 +58,11 @@ namespace stickslip
               const FaceSegments<dim> &segments,
               const MasterPatch<dim>  &patch) const;
 
-    /// From the @p integrals of all faces.
+    /// From the @p integrals of all faces. Nodes that are not @p reached are
+    /// not paired.
     MortarAverage<dim>
     average(const MortarNode<dim>                 &node,
+            const bool                             reached,
             const std::vector<MortarFace<dim>>    &faces,
             const std::vector<FaceSegments<dim>>  &segments,
             const std::vector<FaceIntegrals<dim>> &integrals,
@@ -85,7 +85,6 @@ namespace stickslip
 
     const FaceShape<dim> displacement_shape;
     const FaceShape<dim> multiplier_shape;
-    const bool           may_part;
   };
 } // namespace stickslip
 

@@ -2,6 +2,7 @@
 #define stickslip_contact_pairing_mortar_surface_h
 
 #include <stickslip/contact/pairing/corner_tangents.h>
+#include <stickslip/contact/pairing/far_surfaces.h>
 #include <stickslip/contact/pairing/mortar_derivatives.h>
 #include <stickslip/contact/pairing/mortar_pairing.h>
 #include <stickslip/contact/pairing/surface_sides.h>
@@ -206,6 +207,7 @@ namespace stickslip
     accept_iterate()
     {
       remembered = current;
+      far_nodes.accept_iterate();
     }
 
     /// Likewise, of an accepted step.
@@ -213,6 +215,7 @@ namespace stickslip
     accept_step()
     {
       accepted = remembered = current;
+      far_nodes.forget_touches();
     }
 
     /// Back to the accepted step.
@@ -220,6 +223,7 @@ namespace stickslip
     restore()
     {
       remembered = accepted;
+      far_nodes.forget_touches();
     }
 
     /// The last accepted iterate; empty before the first.
@@ -242,6 +246,7 @@ namespace stickslip
     const MortarDerivatives<dim>    derivatives;
     const CrossSection              cross_section;
     const bool                      meets_itself;
+    const bool                      may_part; ///< unlike what is tied
     SurfaceSides                    sides; ///< of a surface that meets itself
     std::vector<MortarFace<dim>>    faces;
     std::vector<MortarNode<dim>>    nodes;
@@ -249,6 +254,7 @@ namespace stickslip
     std::vector<MortarAverage<dim>> averages;
     ShareDerivatives<dim>           shares;     ///< of those, now
     SegmentsPointer                 integrated; ///< what over_faces are of
+    FarNodes<dim>                   far_nodes;  ///< likewise
     SegmentsPointer                 kept; ///< of a surface that cannot part
     std::vector<Tensor<1, dim>>     kept_positions; ///< r along n and tangents
     PairingPointer                  current;

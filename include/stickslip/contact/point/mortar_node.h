@@ -116,7 +116,6 @@ namespace stickslip
   {
     double area   = 0.; ///< integral of psi_j; small: the node is not paired
     bool   paired = false;
-    bool   is_far = false; ///< and therefore not paired (far_surfaces.h)
     std::vector<double>         D; ///< per node of the stencil
     std::vector<double>         M; ///< per master node
     StencilNodes<dim>           masters;
