@@ -23,7 +23,7 @@ namespace stickslip
 
     constexpr unsigned int            n_slow_solves       = 3; // in a row
     constexpr unsigned int            first_n_direct      = 10;
-    constexpr unsigned int            largest_n_direct    = 160;
+    constexpr unsigned int            largest_n_direct    = 20;
     constexpr types::global_dof_index largest_slow_system = 50000;
 
     /// Krylov iterations that cost more than MUMPS: an iteration is

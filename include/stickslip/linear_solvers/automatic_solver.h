@@ -12,9 +12,10 @@ namespace stickslip
    * Whether MUMPS is faster for systems in space that are small enough to be
    * factorised: after three solves in a row that took more Krylov iterations
    * than a factorisation is worth (thin walls of long cells). It solves the
-   * next ten systems then; if the iteration is still slow after these, twice as
-   * many, and so on: slow solves may be those of a few bad states. Counts
-   * decide, not times, so that a run can be repeated.
+   * next ten systems then, and twenty whenever the iteration is still slow
+   * after these: slow solves may be those of a few bad states, and one in
+   * twenty costs little where they are not. Counts decide, not times, so that a
+   * run can be repeated.
    */
   class SlowIteration
   {
