@@ -67,48 +67,48 @@ namespace stickslip
                           there.xi) -
              (slave.gap_offsets.empty() ? 0. : slave.gap_offsets[k]);
     }
+
+
+
+    template <int dim>
+    NodeGap
+    node_gap_of(const FaceShape<dim>                  &shape,
+                const MortarNode<dim>                 &node,
+                const std::vector<MortarFace<dim>>    &faces,
+                const std::vector<FaceSegments<dim>>  &segments,
+                const std::vector<FaceIntegrals<dim>> &integrals,
+                const MasterPatch<dim>                &patch)
+    {
+      double area = 0., depth = 0.;
+      double node_distance = std::numeric_limits<double>::max();
+      for (const auto &around : node.faces)
+        {
+          area += integrals[around.face].area[around.multiplier];
+          depth += integrals[around.face].depth[around.multiplier];
+          node_distance =
+            std::min(node_distance, faces[around.face].node_distance);
+        }
+      if (area <= 0. ||
+          depth < (node.gap_offset - hardly_open * node_distance) * area)
+        return NodeGap::open;
+      const auto touches = [&](const auto &around, const double deepest) {
+        return deepest >
+               node.gap_offset - far_apart * faces[around.face].node_distance;
+      };
+      for (const auto &around : node.faces)
+        if (touches(around, integrals[around.face].deepest))
+          return NodeGap::near;
+      for (const auto &around : node.faces)
+        if (touches(around,
+                    depth_of_node(shape,
+                                  around.displacement,
+                                  faces[around.face],
+                                  segments[around.face],
+                                  patch)))
+          return NodeGap::near;
+      return NodeGap::far;
+    }
   } // namespace
-
-
-
-  template <int dim>
-  NodeGap
-  node_gap_of(const FaceShape<dim>                  &shape,
-              const MortarNode<dim>                 &node,
-              const std::vector<MortarFace<dim>>    &faces,
-              const std::vector<FaceSegments<dim>>  &segments,
-              const std::vector<FaceIntegrals<dim>> &integrals,
-              const MasterPatch<dim>                &patch)
-  {
-    double area = 0., depth = 0.;
-    double node_distance = std::numeric_limits<double>::max();
-    for (const auto &around : node.faces)
-      {
-        area += integrals[around.face].area[around.multiplier];
-        depth += integrals[around.face].depth[around.multiplier];
-        node_distance =
-          std::min(node_distance, faces[around.face].node_distance);
-      }
-    if (area <= 0. ||
-        depth < (node.gap_offset - hardly_open * node_distance) * area)
-      return NodeGap::open;
-    const auto touches = [&](const auto &around, const double deepest) {
-      return deepest >
-             node.gap_offset - far_apart * faces[around.face].node_distance;
-    };
-    for (const auto &around : node.faces)
-      if (touches(around, integrals[around.face].deepest))
-        return NodeGap::near;
-    for (const auto &around : node.faces)
-      if (touches(around,
-                  depth_of_node(shape,
-                                around.displacement,
-                                faces[around.face],
-                                segments[around.face],
-                                patch)))
-        return NodeGap::near;
-    return NodeGap::far;
-  }
 
 
 
@@ -148,15 +148,6 @@ namespace stickslip
     has_touched.assign(has_touched.size(), false);
   }
 
-#define INSTANTIATE(dim)                                                \
-  template class FarNodes<dim>;                                         \
-  template NodeGap node_gap_of(const FaceShape<dim> &,                  \
-                               const MortarNode<dim> &,                 \
-                               const std::vector<MortarFace<dim>> &,    \
-                               const std::vector<FaceSegments<dim>> &,  \
-                               const std::vector<FaceIntegrals<dim>> &, \
-                               const MasterPatch<dim> &);
-  INSTANTIATE(2)
-  INSTANTIATE(3)
-#undef INSTANTIATE
+  template class FarNodes<2>;
+  template class FarNodes<3>;
 } // namespace stickslip

@@ -15,34 +15,23 @@ namespace stickslip
     far   ///< the same, but nothing touches
   };
 
+
+
   /**
-   * The gap of @p node where @p integrals were taken. Its average may say
-   * that it is closed while the surfaces are far apart wherever they are
-   * opposite: dual functions change sign, and a gap that rises steeply, as
-   * beside a round master, is no polynomial.
+   * The nodes that have no partner because they are far: an average may say
+   * closed while the surfaces are far apart wherever they are opposite. Dual
+   * functions change sign, and a gap that rises steeply, as beside a round
+   * master, is no polynomial.
    *
    * Far is more than half of the shortest distance between the nodes of a face
    * (undeformed) at all integration points on it, and at the node itself where
    * one of these is close to it. They may be less: where a round surface
    * touches, and where the end of a master does between two nodes. Hardly open
    * is a quarter of that distance.
-   */
-  template <int dim>
-  NodeGap
-  node_gap_of(const FaceShape<dim>                  &shape,
-              const MortarNode<dim>                 &node,
-              const std::vector<MortarFace<dim>>    &faces,
-              const std::vector<FaceSegments<dim>>  &segments,
-              const std::vector<FaceIntegrals<dim>> &integrals,
-              const MasterPatch<dim>                &patch);
-
-
-
-  /**
-   * The nodes that have no partner because they are far. Who has touched in a
-   * step keeps its partner until its average opens: it would press the surfaces
-   * apart, lose it, and spring back. Between steps that is forgotten, so that a
-   * run that is continued decides in the same way.
+   *
+   * Who has touched in a step keeps its partner until its average opens: it
+   * would press the surfaces apart, lose it, and spring back. Between steps
+   * that is forgotten, so that a run that is continued decides in the same way.
    */
   template <int dim>
   class FarNodes
