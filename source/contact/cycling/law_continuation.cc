@@ -53,22 +53,26 @@ namespace stickslip
   {
     if (has_begun || !contact.live.status)
       return false;
-    has_begun       = true;
-    double pressure = 0., Lambda = 1.;
+    has_begun = true;
+    // of closed points
+    double sum_of_pressures = 0., n_closed = 0., Lambda = 1.;
     for_each_point(
       contact, [&](const ContactPair<dim> &, const ContactPoint<dim> &p) {
+        if (!is_closed(p.observed.state))
+          return;
         const auto &state = p.observed.values;
-        pressure          = std::max(pressure, std::abs(state.lambda_n));
-        if (is_closed(p.observed.state))
-          Lambda = std::max(
-            Lambda,
-            (state.Lambda + p.regularization.r_t_law * state.d_t).norm());
+        sum_of_pressures += std::abs(state.lambda_n);
+        n_closed += 1.;
+        Lambda = std::max(
+          Lambda, (state.Lambda + p.regularization.r_t_law * state.d_t).norm());
       });
     const MPI_Comm communicator = contact.get_communicator();
-    contact.rounding            = {Utilities::MPI::max(pressure, communicator),
-                                   Utilities::MPI::max(Lambda, communicator)};
-    first_width                 = contact.rounding.pressure;
-    law_is_new                  = true;
+    sum_of_pressures = Utilities::MPI::sum(sum_of_pressures, communicator);
+    n_closed         = Utilities::MPI::sum(n_closed, communicator);
+    contact.rounding = {sum_of_pressures / std::max(n_closed, 1.),
+                        Utilities::MPI::max(Lambda, communicator)};
+    first_width      = contact.rounding.pressure;
+    law_is_new       = true;
     return acts();
   }
 

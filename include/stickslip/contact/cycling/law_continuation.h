@@ -13,10 +13,12 @@ namespace stickslip
    * surfaces of bodies that bend (strips, bands, thin rings) statuses move by a
    * node or two per iteration, or never settle.
    *
-   * The widths begin at the largest pressure and the longest Lambda + r_t d_t
-   * of the last state and become smaller by a factor whenever the merit has
-   * fallen enough, until the law is exact. Where Newton's method gets stuck on
-   * the way, too, it is exact at once.
+   * The widths begin at the mean pressure of the closed points and the longest
+   * Lambda + r_t d_t of the last state and become smaller by a factor whenever
+   * the merit has fallen enough, until the law is exact. Where Newton's method
+   * gets stuck on the way, too, it is exact at once. (The largest pressure may
+   * be that of an edge, or of a node under a roller; all open points around
+   * then press with a good part of it.)
    *
    * B. Chen and P. T. Harker, SIAM J. Matrix Anal. Appl. 14 (1993); for contact
    * with friction P. W. Christensen and J.-S. Pang, in: Reformulation (1998).
