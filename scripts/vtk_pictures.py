@@ -51,7 +51,7 @@ def split_by_value(grid, name):
 
 
 def part_of(grid, chosen):
-    """The cells of these numbers, with their points. (vtkExtractCells, which VTK's filters have for that, crashes.)"""
+    """The cells of these numbers, with their points and what colours them. (vtkExtractCells, which VTK's filters have for that, crashes.)"""
     starts = vtk_to_numpy(grid.GetCells().GetOffsetsArray())
     nodes = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
     sizes = np.diff(starts)[chosen]
@@ -73,6 +73,8 @@ def part_of(grid, chosen):
         new = numpy_to_vtk(vtk_to_numpy(old)[used], deep=1)
         new.SetName(old.GetName())
         part.GetPointData().AddArray(new)
+    if grid.GetPointData().GetScalars() is not None:
+        part.GetPointData().SetActiveScalars(grid.GetPointData().GetScalars().GetName())
     return part
 
 

@@ -14,7 +14,7 @@ run_under_a_display("picture.py")
 import numpy as np
 import vtk
 from matplotlib import colormaps, colors, pyplot
-from vtk_pictures import add_scalar, cell_edges, colour_range, line_actor, lookup_table, picture_of, split_by_value, surface_actor, surface_of, warped
+from vtk_pictures import add_scalar, cell_edges, colour_range, line_actor, lookup_table, part_of, picture_of, split_by_value, surface_actor, surface_of, warped
 from stickslip import Results
 
 TUBE, SHEET = 0, 1  # bodies, in the order of the .prm
@@ -27,15 +27,18 @@ def cells_where(grid, keep):
     centres.SetInputData(grid)
     centres.Update()
     points = centres.GetOutput()
-    numbers = [i for i in range(points.GetNumberOfPoints()) if keep(*points.GetPoint(i))]
-    extract = vtk.vtkExtractCells()
-    extract.SetInputData(grid)
-    ids = vtk.vtkIdList()
-    for number in numbers:
-        ids.InsertNextId(number)
-    extract.SetCellList(ids)
-    extract.Update()
-    return extract.GetOutput()
+    return part_of(grid, np.array([i for i in range(points.GetNumberOfPoints()) if keep(*points.GetPoint(i))], dtype=int))
+
+
+def turned(grid, degrees):
+    """A copy, turned about the axis of the tube."""
+    transform = vtk.vtkTransform()
+    transform.RotateZ(degrees)
+    turn = vtk.vtkTransformFilter()
+    turn.SetInputData(grid)
+    turn.SetTransform(transform)
+    turn.Update()
+    return turn.GetOutput()
 
 
 def shown(x, y, z):
@@ -47,7 +50,11 @@ steps = Results(directory).bodies
 step = steps.at_step(int(sys.argv[3])) if len(sys.argv) > 3 else steps.steps[-1]
 grid = step.vtk()
 add_scalar(grid, "von_mises_stress", None)
-parts = [part if i > SHEET else cells_where(part, shown) for i, part in enumerate(split_by_value(warped(grid, 1.0), "body"))]
+bodies = split_by_value(warped(grid, 1.0), "body")
+is_sector = len(bodies) == 3  # one roller
+parts = [part if i > SHEET else cells_where(part, shown)
+         for angle in ((0, 120, 240) if is_sector else (0,)) for i, part in enumerate(turned(body, angle) for body in bodies)]
+parts = [part for part in parts if part.GetNumberOfCells() > 0]
 surfaces = [surface_of(part, subdivisions=3) for part in parts]
 stresses = [surface.GetPointData().GetArray("colour") for surface in surfaces[: SHEET + 1]]
 limits = colour_range(np.concatenate([[array.GetValue(i) for i in range(array.GetNumberOfTuples())] for array in stresses]))
