@@ -58,7 +58,9 @@ namespace stickslip
       expert(
         "A failed step is multiplied by this. A step also fails if it takes "
         "more than a hundred Newton iterations and three times those of any of "
-        "the last three steps, unless the cut step would be too small."),
+        "the last three steps, unless the cut step would be too small; with "
+        "another 'Algorithm/Name' than automatic more than ten times "
+        "'Algorithm/Newton/Max iterations' instead of a hundred."),
       Patterns::Double(0.01, 0.99));
     prm.add_parameter(
       "Growth factor",

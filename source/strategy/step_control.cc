@@ -24,8 +24,10 @@ namespace stickslip
     constexpr unsigned int always_allowed = 100;
 
     /// Newton solves, at the cap of each, after which the next algorithm is
-    /// worth trying.
-    constexpr unsigned int solves_before_escalation = 10;
+    /// worth trying. An algorithm that is the only one has as many before a
+    /// cut: a halved step has other results, and who compares algorithms wants
+    /// the same steps.
+    constexpr unsigned int patient_solves = 10;
   } // namespace
 
 
@@ -36,14 +38,16 @@ namespace stickslip
                    const bool                      is_fallback,
                    const unsigned int              newton_cap)
   {
+    const unsigned int patience = patient_solves * newton_cap;
+
     unsigned int budget = std::numeric_limits<unsigned int>::max();
     if (can_be_cut && !last_iterations.empty())
       budget =
         std::max(costly_factor * *std::max_element(last_iterations.begin(),
                                                    last_iterations.end()),
-                 always_allowed);
+                 is_fallback ? always_allowed : patience);
     if (is_fallback)
-      budget = std::min(budget, solves_before_escalation * newton_cap);
+      budget = std::min(budget, patience);
     return budget;
   }
 

@@ -161,6 +161,8 @@ namespace
           iteration_budget({5, 60, 7}, true, true, 30) == 180);
     print("after easy steps: a hundred",
           iteration_budget({5, 6, 7}, true, true, 30) == 100);
+    print("... or ten solves if there is no other algorithm",
+          iteration_budget({5, 6, 7}, true, false, 30) == 300);
     print("after 200: no more than ten solves",
           iteration_budget({200}, true, true, 30) == 300);
     print("... or 600 if there is no other algorithm",

@@ -50,7 +50,8 @@ namespace stickslip
    * if it has taken three times the iterations of the costliest of the last
    * steps and at least a hundred; the next algorithm (where there
    * @p is_fallback), if it has taken ten times the iteration cap @p newton_cap
-   * of one Newton solve. Without alternative there is no budget.
+   * of one Newton solve, which is also what an algorithm without a next one may
+   * take before a cut. Without alternative there is no budget.
    */
   unsigned int
   iteration_budget(const std::deque<unsigned int> &last_iterations,
