@@ -16,7 +16,7 @@ SIZES = {
     "quick": {"around": 48, "wall": 1, "sheet": 2, "roller": 16, "axial": (1, 1, 1), "thickness": 1, "step": 3},
     "rough": {"around": 24, "wall": 1, "sheet": 3, "roller": 12, "axial": (2, 3, 2), "thickness": 2, "step": 5},
     "coarse": {"around": 48, "wall": 1, "sheet": 3, "roller": 16, "axial": (1, 2, 1), "thickness": 2, "step": 1},
-    "medium": {"around": 48, "wall": 1, "sheet": 5, "roller": 16, "axial": (2, 5, 2), "thickness": 4, "step": 2},
+    "medium": {"around": 48, "wall": 1, "sheet": 5, "roller": 16, "axial": (2, 5, 2), "thickness": 4, "step": 1},
     "full": {"around": 48, "wall": 2, "sheet": 7, "roller": 24, "axial": (5, 9, 6), "thickness": 6, "step": 1},
 }
 

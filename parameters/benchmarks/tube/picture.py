@@ -52,11 +52,12 @@ grid = step.vtk()
 add_scalar(grid, "von_mises_stress", None)
 bodies = split_by_value(warped(grid, 1.0), "body")
 is_sector = len(bodies) == 3  # one roller
-parts = [part if i > SHEET else cells_where(part, shown)
-         for angle in ((0, 120, 240) if is_sector else (0,)) for i, part in enumerate(turned(body, angle) for body in bodies)]
-parts = [part for part in parts if part.GetNumberOfCells() > 0]
+pieces = [(i, turned(body, angle)) for angle in ((0, 120, 240) if is_sector else (0,)) for i, body in enumerate(bodies)]
+pieces = [(i, part if i > SHEET else cells_where(part, shown)) for i, part in pieces]
+pieces = [(i, part) for i, part in pieces if part.GetNumberOfCells() > 0]
+parts = [part for _, part in pieces]
 surfaces = [surface_of(part, subdivisions=3) for part in parts]
-stresses = [surface.GetPointData().GetArray("colour") for surface in surfaces[: SHEET + 1]]
+stresses = [surface.GetPointData().GetArray("colour") for surface, (i, _) in zip(surfaces, pieces) if i <= SHEET]
 limits = colour_range(np.concatenate([[array.GetValue(i) for i in range(array.GetNumberOfTuples())] for array in stresses]))
 table = lookup_table(colormaps["turbo"], limits)
 actors = [actor for surface, part in zip(surfaces, parts)

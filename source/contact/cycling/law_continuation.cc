@@ -53,7 +53,6 @@ namespace stickslip
   {
     if (has_begun || !contact.live.status)
       return false;
-    has_begun = true;
     // of closed points
     double sum_of_pressures = 0., n_closed = 0., Lambda = 1.;
     for_each_point(
@@ -69,11 +68,14 @@ namespace stickslip
     const MPI_Comm communicator = contact.get_communicator();
     sum_of_pressures = Utilities::MPI::sum(sum_of_pressures, communicator);
     n_closed         = Utilities::MPI::sum(n_closed, communicator);
-    contact.rounding = {sum_of_pressures / std::max(n_closed, 1.),
+    if (sum_of_pressures == 0.)
+      return false;
+    has_begun        = true;
+    contact.rounding = {sum_of_pressures / n_closed,
                         Utilities::MPI::max(Lambda, communicator)};
     first_width      = contact.rounding.pressure;
     law_is_new       = true;
-    return acts();
+    return true;
   }
 
 

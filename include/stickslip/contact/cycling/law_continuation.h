@@ -36,7 +36,8 @@ namespace stickslip
     operator=(const LawContinuation &) = delete;
 
     /// Rounds the corners by what the last residual has seen. False, and
-    /// nothing done, if statuses are frozen or it was done before. Collective.
+    /// nothing done, if nothing presses, statuses are frozen or it was done
+    /// before. Collective.
     bool
     begin();
 
